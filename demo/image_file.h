@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Image files, through OpenImageIO. That library takes 0.3 s to load, so it lives in a module (image_module.cpp) which the
+// first call here loads. Errors are std::runtime_error with the path and the reason. Writing is all or nothing: the file is
+// made beside its place and renamed, so a failure leaves an older file as it was.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pipeline/execute/execute.h"
+
+namespace demo {
+
+// Any file OpenImageIO reads, as 0xAARRGGBB with alpha 255 where the file has none; grey fills all three channels.
+pipeline::ColorImage read_image(const std::string& path);
+
+// The first channel of a file as 0..1 at the file's own precision (16-bit and float height maps keep theirs).
+struct HeightMap {
+    int width = 0, height = 0;
+    std::vector<float> heights;
+};
+HeightMap read_height_map(const std::string& path);
+
+enum class Channels : std::uint8_t { Rgb, Rgba };
+void write_image(const std::string& path, const pipeline::ColorImage& image, Channels channels);
+
+}  // namespace demo

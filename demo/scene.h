@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A scene: what a scene file describes, and how it becomes a frame. A scene file is TOML (the README has a commented example);
+// the built-in scenes are such files, compiled in. Errors are demo::SceneError, whose what() is the whole line for the user:
+// "scenes/x.toml:12:8: cloud.blur must be >= 0 (got -3)".
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pipeline/frame/frame.h"
+
+namespace demo {
+
+struct SceneError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct SceneInfo {
+    std::string name, summary;
+};
+std::vector<SceneInfo> built_in_scenes();
+
+struct Scene;  // scene_data.h; only the scene's own files look inside
+using ScenePtr = std::shared_ptr<const Scene>;
+
+// A built-in name, or the path of a .toml file; files it names are relative to it.
+ScenePtr load_scene(const std::string& name_or_path);
+
+struct Size {
+    int width = 0, height = 0;
+};
+Size default_size(const Scene& scene);
+
+// Frame `index` of the scene's animation (0 is the still picture) at the given size.
+pipeline::Frame scene_frame(const Scene& scene, Size size, int index);
+
+}  // namespace demo

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What a fill did, in fragments (pixels of one primitive).
+#pragma once
+
+#include <cstdint>
+
+namespace raster {
+
+struct FillCounts {
+    std::uint64_t covered      = 0;  // inside a primitive and the scissor
+    std::uint64_t alpha_passed = 0;  // of those, passed the alpha test
+    std::uint64_t depth_passed = 0;  // of those, passed the depth test: what reaches depth write and blend
+    std::uint64_t texels =
+        0;  // texels read: for each covered fragment and texture 1, 4 (linear), twice that (mip linear)
+
+    FillCounts& operator+=(const FillCounts& more) {
+        covered += more.covered;
+        alpha_passed += more.alpha_passed;
+        depth_passed += more.depth_passed;
+        texels += more.texels;
+        return *this;
+    }
+    bool operator==(const FillCounts&) const = default;
+};
+
+}  // namespace raster

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A pass for the rasterizer: primitives with their states, drawn in order onto one colour and one depth image.
+// `fill_pass` bins all of it into tiles and fills the tiles on several threads; `reference_fill_pass` (reference.h)
+// does the same pixel by pixel. Both give the same bytes, whatever the number of threads, the order of tiles and the
+// instruction set.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "raster/fill_counts.h"
+#include "raster/fill_state.h"
+#include "raster/image.h"
+#include "raster/primitives.h"
+#include "raster/tile.h"
+
+namespace raster {
+
+// Triangles are drawn before rectangles; a state's primitives are of one kind.
+struct Draw {
+    FillState state;
+    std::vector<Triangle> triangles;
+    std::vector<Rectangle> rectangles;
+};
+
+// color, depth: either may be null, never both; where both are there they have the same size. A state must not test or
+// write depth without a depth image. `depth_bits`: 16, 24 or 32. `scissor` lies within the images.
+struct PassFill {
+    Image* color   = nullptr;
+    Image* depth   = nullptr;
+    int depth_bits = 24;
+    Rect scissor;
+    std::vector<Draw> draws;
+};
+
+// threads: 0 for all cores. tile_order_seed: not 0 shuffles the order in which tiles are taken, for tests.
+struct FillOptions {
+    int threads                   = 0;
+    std::uint32_t tile_order_seed = 0;
+};
+
+FillCounts fill_pass(const PassFill& pass, const FillOptions& options = {});
+
+// Fills a rectangle of an image with one value, on the same threads.
+void fill_rect(Image& image, const Rect& rect, std::uint32_t value);
+
+}  // namespace raster

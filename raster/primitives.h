@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What the rasterizer draws, and the rules that say which pixels a primitive covers and which integers it gives to each.
+//
+// Snapping   X = x * 16 and Y = y * 16, rounded to the nearest integer, ties to even: 4 subpixel bits. |x|, |y| <= 16384.
+// Triangle   With D = (X1-X0)(Y2-Y0) - (X2-X0)(Y1-Y0): nothing is drawn if D = 0; if D < 0, vertices 1 and 2 change
+//            places (and D its sign), so that the corners go clockwise on the screen. Pixel (x, y) is covered if its
+//            centre P = (16x+8, 16y+8) has E > 0, or E = 0 on a top or left edge, for each edge a->b of 0->1, 1->2, 2->0:
+//            E = (bX-aX)(PY-aY) - (bY-aY)(PX-aX). A top edge has bY = aY and bX > aX, a left edge has bY < aY.
+//            Two triangles that share an edge therefore never both cover a pixel on it, and never leave one out.
+// Rectangle  Covers pixel (x, y) if X0 <= 16x+8 < X1 and Y0 <= 16y+8 < Y1. Depth and colour are constant.
+//
+// A value that varies over a triangle starts as an integer v at each vertex and is a plane over subpixels with F
+// fraction bits, in 64-bit integers modulo 2^64 (the division truncates toward zero):
+//   gx = ((v1-v0)(Y2-Y0) - (v2-v0)(Y1-Y0)) * 2^F / D        gy = ((v2-v0)(X1-X0) - (v1-v0)(X2-X0)) * 2^F / D
+//   plane(x, y) = v0 * 2^F + gx * (16x+8 - X0) + gy * (16y+8 - Y0)        step = 16 * gx        step_y = 16 * gy
+// and is read on the grid of blocks: with xb = x rounded down to a multiple of 16 and r(p, S) = floor((p + 2^(S-1)) / 2^S),
+//   value(x, y) = r(plane(xb, y), S) + (x - xb) * r(step, S)
+//   kind                  v at the vertex                              F    S    read as
+//   colour, fog (bytes)   the byte                                     23   16   (value + 64) >> 7 (arithmetic), a byte
+//   depth                 z * (2^30 - 1), nearest, ties to even        12   12   value, kept within the triangle's
+//                                                                                least and greatest v
+//   texture s, t, q       see raster/sampling_rules.h                  12   12   value
+// At a covered pixel a value lies within its vertices' range but for the rounding of step, so lanes of 16 bits (colour)
+// and 32 bits (the others) hold it, whatever the same sum is elsewhere modulo their size.
+// Flat shading gives every pixel the bytes of vertex 0.
+// The depth of a format with n bits is value >> (30 - n) for n <= 30, and value * 4 + (value >> 28) for n = 32.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace raster {
+
+inline constexpr int kSubpixelBits    = 4;
+inline constexpr int kSubpixels       = 1 << kSubpixelBits;
+inline constexpr float kMaxCoordinate = 16384.0f;  // pixels, either side of 0
+inline constexpr int kDepthBits       = 30;        // of interpolated depth
+inline constexpr int kMaxTextures     = 2;
+
+// Homogeneous: the texture is read at (s/q, t/q), where 0..1 spans it.
+struct TexCoord {
+    float s = 0.0f, t = 0.0f, q = 1.0f;
+};
+
+// x, y: pixels; z: 0..1; rhw: 1/w, greater than 0. Colours are 0xAARRGGBB; the alpha of `specular` is the fog factor,
+// 255 for no fog.
+struct Vertex {
+    float x = 0.0f, y = 0.0f, z = 0.0f, rhw = 1.0f;
+    std::uint32_t diffuse  = 0xffffffff;
+    std::uint32_t specular = 0xff000000;
+    std::array<TexCoord, kMaxTextures> uv;
+};
+using Triangle = std::array<Vertex, 3>;
+
+// x, y: pixels; z: 0..1; uv at the corners, each axis depending on its own coordinate only.
+struct Rectangle {
+    float x0 = 0.0f, y0 = 0.0f, x1 = 0.0f, y1 = 0.0f, z = 0.0f;
+    std::uint32_t color = 0xffffffff;
+    struct UvRect {
+        float u0 = 0.0f, v0 = 0.0f, u1 = 1.0f, v1 = 1.0f;
+    };
+    std::array<UvRect, kMaxTextures> uv;
+};
+
+}  // namespace raster
