@@ -10,14 +10,15 @@ struct FillCounts {
     std::uint64_t covered      = 0;  // inside a primitive and the scissor
     std::uint64_t alpha_passed = 0;  // of those, passed the alpha test
     std::uint64_t depth_passed = 0;  // of those, passed the depth test: what reaches depth write and blend
-    std::uint64_t texels =
-        0;  // texels read: for each covered fragment and texture 1, 4 (linear), twice that (mip linear)
+    std::uint64_t texels       = 0;  // for each covered fragment and texture 1, 4 (linear), twice that (mip linear)
+    std::uint64_t texel_bytes  = 0;  // of those, in the formats of Sampler::texel_bytes
 
     FillCounts& operator+=(const FillCounts& more) {
         covered += more.covered;
         alpha_passed += more.alpha_passed;
         depth_passed += more.depth_passed;
         texels += more.texels;
+        texel_bytes += more.texel_bytes;
         return *this;
     }
     bool operator==(const FillCounts&) const = default;

@@ -41,7 +41,7 @@ struct FillOptions {
 
 FillCounts fill_pass(const PassFill& pass, const FillOptions& options = {});
 
-// Fills a rectangle of an image with one value, on the same threads.
+// Sets the pixels of `rect` that lie within the image.
 void fill_rect(Image& image, const Rect& rect, std::uint32_t value);
 
 }  // namespace raster

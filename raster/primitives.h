@@ -7,7 +7,8 @@
 //            centre P = (16x+8, 16y+8) has E > 0, or E = 0 on a top or left edge, for each edge a->b of 0->1, 1->2, 2->0:
 //            E = (bX-aX)(PY-aY) - (bY-aY)(PX-aX). A top edge has bY = aY and bX > aX, a left edge has bY < aY.
 //            Two triangles that share an edge therefore never both cover a pixel on it, and never leave one out.
-// Rectangle  Covers pixel (x, y) if X0 <= 16x+8 < X1 and Y0 <= 16y+8 < Y1. Depth and colour are constant.
+// Rectangle  Covers pixel (x, y) if X0 <= 16x+8 < X1 and Y0 <= 16y+8 < Y1. Depth and colour are constant;
+//            specular is 0xff000000.
 //
 // A value that varies over a triangle starts as an integer v at each vertex and is a plane over subpixels with F
 // fraction bits, in 64-bit integers modulo 2^64 (the division truncates toward zero):
@@ -17,12 +18,13 @@
 //   value(x, y) = r(plane(xb, y), S) + (x - xb) * r(step, S)
 //   kind                  v at the vertex                              F    S    read as
 //   colour, fog (bytes)   the byte                                     23   16   (value + 64) >> 7 (arithmetic), a byte
-//   depth                 z * (2^30 - 1), nearest, ties to even        12   12   value, kept within the triangle's
+//   depth                 z * (2^30 - 1) in double, nearest, ties even  12   12   value, kept within the triangle's
 //                                                                                least and greatest v
 //   texture s, t, q       see raster/sampling_rules.h                  12   12   value
-// At a covered pixel a value lies within its vertices' range but for the rounding of step, so lanes of 16 bits (colour)
-// and 32 bits (the others) hold it, whatever the same sum is elsewhere modulo their size.
-// Flat shading gives every pixel the bytes of vertex 0.
+// At a covered pixel a value lies within its vertices' range but for the rounding of step (8 at most) and that of gx
+// and gy (2^20 / 2^S at most), so lanes of 16 bits (colour) and 32 bits (the others) hold it, whatever the same sum is
+// elsewhere modulo their size.
+// Flat shading gives every pixel the bytes of vertex 0, of fog as well.
 // The depth of a format with n bits is value >> (30 - n) for n <= 30, and value * 4 + (value >> 28) for n = 32.
 #pragma once
 
@@ -37,7 +39,7 @@ inline constexpr float kMaxCoordinate = 16384.0f;  // pixels, either side of 0
 inline constexpr int kDepthBits       = 30;        // of interpolated depth
 inline constexpr int kMaxTextures     = 2;
 
-// Homogeneous: the texture is read at (s/q, t/q), where 0..1 spans it.
+// Homogeneous: the texture is read at (s/q, t/q), where 0..1 spans it. Finite, and less than 2^40 times rhw.
 struct TexCoord {
     float s = 0.0f, t = 0.0f, q = 1.0f;
 };

@@ -11,10 +11,12 @@
 //   U = floor(clamp((u * ku) * 256))                  V = floor(clamp((v * kv) * 256))        clamp to -2^30 .. 2^30
 // in 1/256 texel of level 0.
 // Coordinates of a rectangle. In double, with Xi, Yi the snapped corners and w = float u -> double u * W:
-//   du = (w1 - w0) * 2^36 / (X1 - X0)                 step = du, rounded to nearest, ties to even
-//   origin = w0 * 2^32 + (8 - X0) / 16 * du           rounded likewise;  plane(x) = origin + x * step (modulo 2^64)
+//   du = (w1 - w0) * 2^36 / (X1 - X0)                 step = du, kept within -2^62 .. 2^62, to nearest, ties to even
+//   origin = w0 * 2^32 + (8 - X0) / 16 * du           kept and rounded likewise
+//   plane(x) = origin + x * step (modulo 2^64)
 //   U = value >> 8 (arithmetic), value being r(plane(xb), 16) + (x - xb) * r(step, 16) modulo 2^32 (r: primitives.h)
-// and V from v, H, y in the same way, with plane(y) itself in place of the block: V = r(plane(y), 16) >> 8.
+// and V from v, H, y in the same way, with plane(y) itself in place of the block: V = r(plane(y), 16) >> 8, the shift
+// again of 32 bits.
 //
 // Level of detail, in 1/256 level, only where the sampler uses mips. Triangle: sx = float of the step of s divided by
 // 2^12 (computed in double), sy of step_y, and so on; all at the pixel:
@@ -58,6 +60,7 @@ struct Sampler {
     MipFilter mip     = MipFilter::None;
     Address address_u = Address::Wrap;
     Address address_v = Address::Wrap;
+    int texel_bytes   = 4;  // of a texel in the format that is modelled, for counting
 };
 
 }  // namespace raster

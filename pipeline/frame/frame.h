@@ -166,9 +166,8 @@ void visit_fields(State& state, Visit&& visit) {
     visit("v1", v1);
 }
 
-// An axis-aligned rectangle in window space, in pixels of the target: a blit. Not transformed, lit, fogged, clipped to
-// the viewport or culled. x0 <= x1, y0 <= y1; depth in 0..1. Its uv times the texture's size stay within +-16384
-// texels.
+// An axis-aligned rectangle in window space, in pixels of the target: a blit. Not transformed, lit, fogged or culled.
+// x0 <= x1, y0 <= y1; depth in 0..1. Its uv times the texture's size stay within +-16384 texels.
 struct DrawRectangle {
     float x0 = 0.0f, y0 = 0.0f, x1 = 0.0f, y1 = 0.0f;
     float depth = 0.0f;
@@ -192,7 +191,7 @@ void visit_fields(State& state, Visit&& visit) {
 
 using Draw = std::variant<DrawTriangles, DrawRectangle>;
 
-// Sets the scissored part of the pass's targets before its draws; as in Direct3D 7 no other state applies.
+// Sets what lies within viewport and scissor before the draws; as in Direct3D 7 no other state applies.
 struct Clear {
     std::optional<Argb> color;
     std::optional<float> depth;  // 0..1

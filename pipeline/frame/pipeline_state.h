@@ -81,7 +81,7 @@ struct PipelineState {
     Argb texture_factor = {0xffffffff};
     std::array<TextureStage, kTextureStages> stages;
     LightingState lighting;
-    PixelRect viewport;  // maps clip space to pixels and depth 0..1; also clips
+    PixelRect viewport;  // maps clip space to pixels and depth 0..1; limits all drawing, as the scissor does
     PixelRect scissor;
     bool operator==(const PipelineState&) const = default;
 };

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/execute/execute.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "pipeline/execute/frame_memory.h"
+#include "pipeline/execute/lower.h"
+#include "pipeline/execute/vertex_stage.h"
+#include "pipeline/validate/validate.h"
+#include "raster/fill_pass.h"
+#include "raster/reference.h"
+#include "raster/simd_targets.h"
+
+namespace pipeline {
+namespace {
+
+bool is_whole(const PixelRect& rect) {
+    return rect == PixelRect{};
+}
+
+// A part of a draw that one task takes through the vertex stage.
+struct VertexJob {
+    const DrawTriangles* draw;
+    std::uint32_t first, count;
+    VertexStageCounts counts{};
+};
+constexpr std::uint32_t kJobIndices = 3 * 1024;
+
+raster::Rectangle lower(const DrawRectangle& rectangle) {
+    raster::Rectangle out{.x0    = rectangle.x0,
+                          .y0    = rectangle.y0,
+                          .x1    = rectangle.x1,
+                          .y1    = rectangle.y1,
+                          .z     = rectangle.depth,
+                          .color = rectangle.color.value,
+                          .uv    = {}};
+    for (int i = 0; i < kTextureStages; ++i)
+        out.uv[i] = {rectangle.uv[i].u0, rectangle.uv[i].v0, rectangle.uv[i].u1, rectangle.uv[i].v1};
+    return out;
+}
+
+class Executor {
+  public:
+    Executor(const Frame& frame, const ExecuteOptions& options)
+        : frame_(frame),
+          options_(options),
+          memory_(frame),
+          arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+
+    PassCounts run(const Pass& pass) {
+        const PixelRect viewport = resolve(pass.state.viewport, pass);
+        const PixelRect scissor  = resolve(pass.state.scissor, pass);
+        raster::PassFill fill{.color      = memory_.image(pass.color),
+                              .depth      = memory_.image(pass.depth),
+                              .depth_bits = pass.depth ? depth_bits(frame_.targets[pass.depth.index].format) : 24,
+                              .scissor    = raster::intersect({viewport.x0, viewport.y0, viewport.x1, viewport.y1},
+                                                              {scissor.x0, scissor.y0, scissor.x1, scissor.y1}),
+                              .draws      = {}};
+        PassCounts counts;
+        clear(pass, fill, counts);
+        add_draws(pass, viewport, fill, counts);
+        const raster::FillCounts filled = options_.backend == Backend::Reference
+                                              ? raster::reference_fill_pass(fill)
+                                              : raster::fill_pass(fill, {options_.threads, options_.tile_order_seed});
+        count(pass, filled, counts);
+        return counts;
+    }
+
+    ColorImage read(TargetId id) const {
+        if (!id) return {};
+        const raster::Image& image = memory_.image(id);
+        ColorImage out{image.width(), image.height(), {}};
+        out.pixels.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+        for (int y = 0; y < out.height; ++y)
+            out.pixels.insert(out.pixels.end(), image.row(y), image.row(y) + out.width);
+        return out;
+    }
+
+  private:
+    PixelRect resolve(const PixelRect& rect, const Pass& pass) const {
+        if (!is_whole(rect)) return rect;
+        const Target& target = frame_.targets[(pass.color ? pass.color : pass.depth).index];
+        return {0, 0, target.width, target.height};
+    }
+
+    void clear(const Pass& pass, const raster::PassFill& fill, PassCounts& counts) {
+        const auto set = [&](raster::Image& image, std::uint32_t value) {
+            raster::fill_rect(image, fill.scissor, value);
+            if (fill.scissor.empty()) return;
+            counts.cleared += static_cast<std::uint64_t>(fill.scissor.x1 - fill.scissor.x0) *
+                              static_cast<std::uint64_t>(fill.scissor.y1 - fill.scissor.y0);
+        };
+        if (pass.clear.color) set(*fill.color, pass.clear.color->value);
+        if (pass.clear.depth) {
+            const double all_ones = fill.depth_bits == 32 ? 4294967295.0 : (1 << fill.depth_bits) - 1;
+            set(*fill.depth,
+                static_cast<std::uint32_t>(std::nearbyint(static_cast<double>(*pass.clear.depth) * all_ones)));
+        }
+    }
+
+    // Each vertex job becomes a draw of its own; the order stays that of the pass.
+    void add_draws(const Pass& pass, const PixelRect& viewport, raster::PassFill& fill, PassCounts& counts) {
+        std::vector<VertexJob> jobs;
+        for (const Draw& draw : pass.draws) {
+            if (const auto* triangles = std::get_if<DrawTriangles>(&draw)) {
+                for (std::uint32_t done = 0; done < triangles->index_count; done += kJobIndices) {
+                    jobs.push_back({triangles, triangles->first_index + done,
+                                    std::min(kJobIndices, triangles->index_count - done)});
+                    fill.draws.push_back({lower(pass.state, triangles->textures, memory_), {}, {}});
+                }
+            } else {
+                const auto& rectangle = std::get<DrawRectangle>(draw);
+                jobs.push_back({nullptr, 0, 0});
+                fill.draws.push_back({lower(pass.state, rectangle.textures, memory_), {}, {lower(rectangle)}});
+                ++counts.rectangles;
+            }
+        }
+        arena_.execute([&] {
+            tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+                VertexJob& job = jobs[i];
+                if (job.draw)
+                    job.counts = run_vertex_stage(frame_, pass, *job.draw, job.first, job.count, viewport,
+                                                  fill.draws[i].triangles);
+            });
+        });
+        for (const VertexJob& job : jobs) {
+            counts.vertices += job.counts.vertices;
+            counts.triangles_in += job.counts.triangles_in;
+            counts.triangles_drawn += job.counts.triangles_drawn;
+        }
+    }
+
+    // What follows from the fragments and the state.
+    void count(const Pass& pass, const raster::FillCounts& filled, PassCounts& counts) const {
+        const PipelineState& state = pass.state;
+        const ColorMask& mask      = state.color_mask;
+        const bool writes_color    = pass.color && (mask.red || mask.green || mask.blue || mask.alpha);
+        const bool masked          = !(mask.red && mask.green && mask.blue && mask.alpha);
+        const bool blends          = writes_color && reads_destination(state.blend);
+        counts.covered             = filled.covered;
+        counts.texels              = filled.texels;
+        counts.depth_tested        = state.depth.func != CompareFunc::Always ? filled.alpha_passed : 0;
+        counts.depth_passed        = filled.depth_passed;
+        counts.depth_written       = state.depth.write ? filled.depth_passed : 0;
+        counts.color_written       = writes_color ? filled.depth_passed : 0;
+        counts.blended             = blends ? filled.depth_passed : 0;
+        const std::uint64_t depth_bytes =
+            pass.depth && frame_.targets[pass.depth.index].format == TargetFormat::D16 ? 2 : 4;
+        counts.bytes = filled.texel_bytes + depth_bytes * (counts.depth_tested + counts.depth_written) +
+                       4 * counts.color_written * (blends || masked ? 2 : 1) + 4 * counts.cleared;
+    }
+
+    const Frame& frame_;
+    const ExecuteOptions& options_;
+    FrameMemory memory_;
+    tbb::task_arena arena_;
+};
+
+}  // namespace
+
+Execution execute(const Frame& frame, const ExecuteOptions& options, const PassObserver& observer) {
+    const std::vector<Finding> findings = validate(frame);
+    if (!findings.empty()) throw std::invalid_argument(findings[0].where + " " + findings[0].what);
+    Executor executor(frame, options);
+    Execution out;
+    out.counts.reserve(frame.passes.size());
+    for (std::size_t i = 0; i < frame.passes.size(); ++i) {
+        const Pass& pass = frame.passes[i];
+        out.counts.push_back(executor.run(pass));
+        if (observer) observer({i, pass, out.counts.back(), [&] { return executor.read(pass.color); }});
+    }
+    out.output = executor.read(frame.output);
+    return out;
+}
+
+std::vector<std::string> simd_targets() {
+    return raster::simd_targets();
+}
+
+void force_simd_target(const std::string& name) {
+    if (raster::force_simd_target(name)) return;
+    std::string known;
+    for (const std::string& target : raster::simd_targets()) known += (known.empty() ? "" : ", ") + target;
+    throw std::invalid_argument("unknown instruction set '" + name + "' (this machine has " + known + ")");
+}
+
+}  // namespace pipeline

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/execute/frame_memory.h"
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+namespace pipeline {
+namespace {
+
+std::vector<std::uint32_t> expand(const Texture& texture) {
+    std::vector<std::uint32_t> out(texture.texels.size() / bytes_per_texel(texture.format));
+    switch (texture.format) {
+        case TextureFormat::A8:
+            std::transform(texture.texels.begin(), texture.texels.end(), out.begin(),
+                           [](std::uint8_t a) { return static_cast<std::uint32_t>(a) << 24; });
+            break;
+        case TextureFormat::L8:
+            std::transform(texture.texels.begin(), texture.texels.end(), out.begin(),
+                           [](std::uint8_t l) { return 0xff000000u | l * 0x010101u; });
+            break;
+        case TextureFormat::A8R8G8B8:
+            std::memcpy(out.data(), texture.texels.data(), out.size() * 4);
+            break;
+    }
+    return out;
+}
+
+std::set<std::int32_t> bound_textures(const Frame& frame) {
+    std::set<std::int32_t> bound;
+    for (const Pass& pass : frame.passes)
+        for (const Draw& draw : pass.draws)
+            for (const TextureBinding& binding : std::visit([](const auto& d) { return d.textures; }, draw))
+                if (binding.texture) bound.insert(binding.texture.index);
+    return bound;
+}
+
+}  // namespace
+
+FrameMemory::FrameMemory(const Frame& frame) : texels_(frame.textures.size()), frame_(frame) {
+    for (const Target& target : frame.targets) images_.emplace_back(target.width, target.height);
+    for (const std::int32_t index : bound_textures(frame)) texels_[index] = expand(frame.textures[index]);
+}
+
+raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
+    raster::Sampler sampler;
+    if (binding.target) {
+        const raster::Image& target = image(binding.target);
+        sampler.levels.push_back({target.row(0), target.width(), target.height(), target.stride()});
+    } else if (binding.texture) {
+        const Texture& texture      = frame_.textures[binding.texture.index];
+        sampler.texel_bytes         = bytes_per_texel(texture.format);
+        const std::uint32_t* texels = texels_[binding.texture.index].data();
+        for (int level = 0; level < texture.levels; ++level) {
+            const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
+            sampler.levels.push_back({texels, width, height, width});
+            texels += static_cast<std::ptrdiff_t>(width) * height;
+        }
+    }
+    return sampler;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A frame's targets and textures as the rasterizer sees them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/frame/frame.h"
+#include "raster/image.h"
+#include "raster/sampling_rules.h"
+
+namespace pipeline {
+
+class FrameMemory {
+  public:
+    explicit FrameMemory(const Frame& frame);
+
+    raster::Image* image(TargetId id) { return id ? &images_[id.index] : nullptr; }
+    const raster::Image& image(TargetId id) const { return images_[id.index]; }
+
+    // The levels of what is bound, with the filters left at their defaults; none if nothing is.
+    raster::Sampler sampler(const TextureBinding& binding) const;
+
+  private:
+    std::vector<raster::Image> images_;
+    std::vector<std::vector<std::uint32_t>>
+        texels_;  // 0xAARRGGBB, whatever the texture's format; only of bound textures
+    const Frame& frame_;
+};
+
+}  // namespace pipeline

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "raster/fill_pass.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "raster/bin.h"
+#include "raster/fill_plan.h"
+#include "raster/fill_tile.h"
+
+namespace raster {
+namespace {
+
+// Some of a draw's primitives, set up and binned by one task.
+struct Part {
+    const FillPlan* plan;
+    std::span<const Triangle> triangles;
+    std::span<const Rectangle> rectangles;
+    std::vector<SetUpTriangle> set_up_triangles;
+    std::vector<SetUpRectangle> set_up_rectangles;
+    std::vector<Command> commands;
+};
+constexpr std::size_t kPartSize = 512;
+
+template <class Primitive>
+void split(const std::vector<Primitive>& primitives, const FillPlan& plan, std::span<const Primitive> Part::*member,
+           std::vector<Part>& parts) {
+    for (std::size_t first = 0; first < primitives.size(); first += kPartSize) {
+        Part& part   = parts.emplace_back();
+        part.plan    = &plan;
+        part.*member = std::span(primitives).subspan(first, std::min(kPartSize, primitives.size() - first));
+    }
+}
+
+void set_up_and_bin(Part& part, const Rect& scissor, const TileGrid& grid, std::vector<TileEntry>& entries) {
+    // Commands point into these, so they must not move: room for all first.
+    part.set_up_triangles.reserve(part.triangles.size());
+    part.set_up_rectangles.reserve(part.rectangles.size());
+    part.commands.reserve(part.triangles.size() + part.rectangles.size());
+    const FillPlan& plan = *part.plan;
+    for (const Triangle& triangle : part.triangles) {
+        SetUpTriangle& out = part.set_up_triangles.emplace_back();
+        if (set_up_triangle(triangle, plan.needs, scissor, out))
+            part.commands.push_back({.plan = &plan, .triangle = &out, .rectangle = nullptr});
+        else
+            part.set_up_triangles.pop_back();
+    }
+    for (const Rectangle& rectangle : part.rectangles) {
+        SetUpRectangle& out = part.set_up_rectangles.emplace_back();
+        if (set_up_rectangle(rectangle, plan.needs, scissor, out))
+            part.commands.push_back({.plan = &plan, .triangle = nullptr, .rectangle = &out});
+        else
+            part.set_up_rectangles.pop_back();
+    }
+    for (const Command& command : part.commands) bin_command(command, grid, entries);
+}
+
+// 0, 1, 2, .. or a fixed shuffle of it.
+std::vector<int> tile_order(int count, std::uint32_t seed) {
+    std::vector<int> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    if (seed == 0) return order;
+    for (std::size_t i = order.size(); i > 1; --i) {
+        seed = seed * 1664525u + 1013904223u;
+        std::swap(order[i - 1], order[(seed >> 8) % i]);
+    }
+    return order;
+}
+
+FillCounts fill(const PassFill& pass, const FillOptions& options) {
+    std::vector<FillPlan> plans;
+    plans.reserve(pass.draws.size());
+    std::vector<Part> parts;
+    for (const Draw& draw : pass.draws) {
+        const FillPlan& plan = plans.emplace_back(plan_fill(draw.state, pass.color != nullptr, pass.depth_bits));
+        split(draw.triangles, plan, &Part::triangles, parts);
+        split(draw.rectangles, plan, &Part::rectangles, parts);
+    }
+    const TileGrid grid(pass.scissor);
+    std::vector<std::vector<TileEntry>> entries(parts.size());
+    tbb::parallel_for(std::size_t{0}, parts.size(),
+                      [&](std::size_t i) { set_up_and_bin(parts[i], pass.scissor, grid, entries[i]); });
+    const Bins bins(grid.count(), entries);
+
+    const std::vector<int> order = tile_order(grid.count(), options.tile_order_seed);
+    std::vector<FillCounts> counts(order.size());
+    tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {
+        counts[i] = fill_tile(bins.commands(order[i]), grid.tile(order[i]), pass.color, pass.depth);
+    });
+    FillCounts total;
+    for (const FillCounts& tile : counts) total += tile;
+    return total;
+}
+
+}  // namespace
+
+FillCounts fill_pass(const PassFill& pass, const FillOptions& options) {
+    if (pass.scissor.empty()) return {};
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    return arena.execute([&] { return fill(pass, options); });
+}
+
+void fill_rect(Image& image, const Rect& rect, std::uint32_t value) {
+    const Rect inside = intersect(rect, image.bounds());
+    if (inside.empty()) return;
+    for (int y = inside.y0; y < inside.y1; ++y) std::fill(image.row(y) + inside.x0, image.row(y) + inside.x1, value);
+}
+
+}  // namespace raster

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "raster/fill_plan.h"
+
+namespace raster {
+namespace {
+
+bool reads(const Combine& combine, CombineArg::Source source) {
+    return combine.a.source == source || (combine.op != CombineOp::Select && combine.b.source == source);
+}
+
+bool reads(const FillState& state, CombineArg::Source source) {
+    for (int i = 0; i < state.stage_count; ++i)
+        if (reads(state.stages[i].color, source) || reads(state.stages[i].alpha, source)) return true;
+    return false;
+}
+
+bool reads_diffuse(const FillState& state) {
+    using enum CombineArg::Source;
+    if (state.stage_count == 0 || reads(state, Diffuse)) return true;
+    return reads(state.stages[0].color, Current) || reads(state.stages[0].alpha, Current);
+}
+
+}  // namespace
+
+FillPlan plan_fill(const FillState& state, bool has_color, int depth_bits) {
+    FillPlan plan;
+    plan.state        = state;
+    plan.depth_bits   = depth_bits;
+    plan.uses_depth   = state.depth_func != Compare::Always || state.depth_write;
+    plan.tests_first  = state.alpha_func == Compare::Always;
+    plan.writes_color = has_color && state.write_mask != 0;
+    plan.uses_color   = plan.writes_color || state.alpha_func != Compare::Always;
+
+    plan.needs.depth   = plan.uses_depth;
+    plan.needs.flat    = state.flat;
+    plan.needs.diffuse = plan.uses_color && reads_diffuse(state);
+    plan.needs.specular =
+        plan.uses_color && (state.add_specular || state.fog || reads(state, CombineArg::Source::Specular));
+
+    plan.cover           = cover_kernels();
+    plan.interpolate     = interpolate_kernels();
+    plan.combine         = combine_kernels();
+    plan.test            = test_kernels();
+    plan.blend_constants = {state.source_factor, state.dest_factor, state.write_mask};
+    plan.blend           = blend_kernel(plan.blend_constants);
+    for (int i = 0; i < kMaxTextures; ++i) {
+        if (!reads_texel(state, i)) continue;
+        SamplePlan& sampler = plan.samplers[i] = plan_sampler(state.samplers[i]);
+        const auto texels                      = static_cast<std::uint64_t>(sampler.texels_per_fragment());
+        plan.texels_per_fragment += texels;
+        plan.texel_bytes_per_fragment += texels * static_cast<std::uint64_t>(state.samplers[i].texel_bytes);
+        if (!plan.uses_color) continue;
+        plan.sample[i] = sample_kernel(sampler);
+        if (sampler.level_count == 0) continue;
+        plan.needs.texture[i] = true;
+        plan.needs.lod[i]     = sampler.lod_max() > 0;
+        plan.needs.width[i]   = sampler.levels[0].width;
+        plan.needs.height[i]  = sampler.levels[0].height;
+    }
+    return plan;
+}
+
+}  // namespace raster

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Fragments on their way through the kernels: up to 16 blocks of 16 pixels of one primitive, as rows of lanes, small enough to
+// stay in the L1 cache. Lanes that are not set in `mask` hold anything; a kernel never writes a target there.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/primitives.h"
+#include "raster/tile.h"
+
+namespace raster {
+
+inline constexpr int kBatchBlocks = 16;
+static_assert(kBatchBlocks >= kTileWidth / kBlockWidth, "a batch holds at least one row of a tile");
+
+template <class Lane>
+using BlockRows = Lane[kBatchBlocks][kBlockWidth];
+
+struct alignas(64) FragmentBatch {
+    BlockRows<std::uint32_t> mask;   // all ones: alive
+    BlockRows<std::uint32_t> depth;  // in units of the target's format
+    BlockRows<std::uint32_t> diffuse, specular, color;
+    BlockRows<std::uint32_t> texel[kMaxTextures];
+    BlockRows<std::int32_t> u, v;  // 1/256 texel of level 0
+    BlockRows<std::int32_t> lod;   // 1/256 level
+    struct {
+        int x, y;  // pixel of lane 0
+    } at[kBatchBlocks];
+    int count = 0;  // blocks
+};
+
+}  // namespace raster

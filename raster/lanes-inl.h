@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Vectors of up to 16 pixels, four bytes each, and arithmetic on them in 16-bit lanes. A colour 0xAARRGGBB is held as two
+// vectors of *pairs*: `lo` has blue in the low and red in the high half of each 32-bit lane, `hi` green and alpha. That is
+// two masks away from memory, needs no packing, and leaves 8 bits of head room for products.
+// Highway's per-target include guard.
+#if defined(NIMBUS7_RASTER_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NIMBUS7_RASTER_LANES_INL_H_
+#undef NIMBUS7_RASTER_LANES_INL_H_
+#else
+#define NIMBUS7_RASTER_LANES_INL_H_
+#endif
+
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "raster/tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raster {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DU = hn::CappedTag<std::uint32_t, kBlockWidth>;
+using DI = hn::CappedTag<std::int32_t, kBlockWidth>;
+using DF = hn::CappedTag<float, kBlockWidth>;
+using VU = hn::Vec<DU>;
+using VI = hn::Vec<DI>;
+using VF = hn::Vec<DF>;
+
+HWY_INLINE int lane_count() {
+    return static_cast<int>(hn::Lanes(DU()));
+}
+HWY_INLINE VU set(std::uint32_t value) {
+    return hn::Set(DU(), value);
+}
+HWY_INLINE VI seti(std::int32_t value) {
+    return hn::Set(DI(), value);
+}
+
+// Pair arithmetic. With vectors a pair is two lanes of a 16-bit view; the one-lane fallback has no such view.
+#if HWY_TARGET == HWY_SCALAR
+template <class Op>
+HWY_INLINE VU each_half(VU a, VU b, Op op) {
+    const std::uint32_t x = hn::GetLane(a), y = hn::GetLane(b);
+    const std::uint32_t low = op(x & 0xffff, y & 0xffff) & 0xffff, high = op(x >> 16, y >> 16) & 0xffff;
+    return set(low | high << 16);
+}
+HWY_INLINE VU add16(VU a, VU b) {
+    return each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return x + y; });
+}
+HWY_INLINE VU sub16(VU a, VU b) {
+    return each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return x - y; });
+}
+HWY_INLINE VU mul16(VU a, VU b) {
+    return each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return x * y; });
+}
+HWY_INLINE VU mul_high16(VU a, VU b) {
+    return each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return (x * y) >> 16; });
+}
+HWY_INLINE VU add_saturated16(VU a, VU b) {
+    return each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return x + y > 0xffff ? 0xffff : x + y; });
+}
+HWY_INLINE VU sub_saturated16(VU a, VU b) {
+    return each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return x > y ? x - y : 0; });
+}
+HWY_INLINE VU min16(VU a, VU b) {
+    return each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return x < y ? x : y; });
+}
+template <int kBits>
+HWY_INLINE VU shift_right_signed16(VU a) {
+    return each_half(a, a, [](std::uint32_t x, std::uint32_t) {
+        return static_cast<std::uint32_t>(static_cast<std::int16_t>(x) >> kBits);
+    });
+}
+#else
+using DU16 = hn::Repartition<std::uint16_t, DU>;
+using DI16 = hn::Repartition<std::int16_t, DU>;
+HWY_INLINE auto halves(VU a) {
+    return hn::BitCast(DU16(), a);
+}
+template <class V16>
+HWY_INLINE VU whole(V16 a) {
+    return hn::BitCast(DU(), a);
+}
+HWY_INLINE VU add16(VU a, VU b) {
+    return whole(hn::Add(halves(a), halves(b)));
+}
+HWY_INLINE VU sub16(VU a, VU b) {
+    return whole(hn::Sub(halves(a), halves(b)));
+}
+HWY_INLINE VU mul16(VU a, VU b) {
+    return whole(hn::Mul(halves(a), halves(b)));
+}
+HWY_INLINE VU mul_high16(VU a, VU b) {
+    return whole(hn::MulHigh(halves(a), halves(b)));
+}
+HWY_INLINE VU add_saturated16(VU a, VU b) {
+    return whole(hn::SaturatedAdd(halves(a), halves(b)));
+}
+HWY_INLINE VU sub_saturated16(VU a, VU b) {
+    return whole(hn::SaturatedSub(halves(a), halves(b)));
+}
+HWY_INLINE VU min16(VU a, VU b) {
+    return whole(hn::Min(halves(a), halves(b)));
+}
+template <int kBits>
+HWY_INLINE VU shift_right_signed16(VU a) {
+    return whole(hn::ShiftRight<kBits>(hn::BitCast(DI16(), a)));
+}
+#endif
+
+HWY_INLINE VU set_pair(std::uint32_t both) {
+    return set(both | both << 16);
+}
+
+// round(v / 255), exact for v in 0..65025: with t = v + 128, floor(257 t / 65536) = floor((t - 1) / 255) = floor((v + 127) / 255).
+HWY_INLINE VU div255(VU v) {
+    return mul_high16(add16(v, set_pair(128)), set_pair(257));
+}
+// The same for any 16-bit v, which is first limited to 255 * 255.
+HWY_INLINE VU div255_limited(VU v) {
+    return div255(min16(v, set_pair(255 * 255)));
+}
+HWY_INLINE VU invert(VU v) {
+    return hn::Xor(v, set_pair(255));
+}  // 255 - v for v in 0..255
+
+struct Pixels {
+    VU lo, hi;
+};
+HWY_INLINE Pixels unpack(VU argb) {
+    const VU bytes = set_pair(0xff);
+    return {hn::And(argb, bytes), hn::And(hn::ShiftRight<8>(argb), bytes)};
+}
+HWY_INLINE VU pack(Pixels p) {
+    return hn::Or(p.lo, hn::ShiftLeft<8>(p.hi));
+}
+
+// Alpha in every half.
+HWY_INLINE VU alpha_pair(Pixels p) {
+    const VU a = hn::ShiftRight<16>(p.hi);
+    return hn::Or(a, hn::ShiftLeft<16>(a));
+}
+
+// 0, 1, 2, .. on lanes that start at pixel `first` of a block.
+HWY_INLINE VI lane_index(int first) {
+    return hn::Iota(DI(), first);
+}
+HWY_INLINE VU lane_index_pair(int first) {
+    const VU i = hn::BitCast(DU(), lane_index(first));
+    return hn::Or(i, hn::ShiftLeft<16>(i));
+}
+
+HWY_INLINE VU select(VU mask, VU yes, VU no) {
+    return hn::Or(hn::And(mask, yes), hn::AndNot(mask, no));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raster
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "raster/reference.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "raster/reference_color.h"
+#include "raster/reference_plane.h"
+#include "raster/reference_texture.h"
+
+namespace raster {
+
+namespace {
+
+using namespace reference;
+
+// Whether the texel of sampler i comes from its levels.
+bool reads_levels(const FillState& state, int i) {
+    return reads_texel(state, i) && !state.samplers[i].levels.empty();
+}
+
+// What the primitives give at a covered pixel. depth: kDepthBits bits. points: where a texture is read.
+struct Fragment {
+    int x = 0, y = 0;
+    std::uint32_t depth = 0, diffuse = 0, specular = 0;
+    std::array<TexturePoint, kMaxTextures> points;
+};
+
+// The steps of fill_state.h, in their order.
+void shade(const PassFill& pass, const FillState& state, const Fragment& fragment, FillCounts& counts) {
+    ++counts.covered;
+    FragmentColors colors{fragment.diffuse, fragment.specular, {}};
+    for (int i = 0; i < kMaxTextures; ++i) {
+        colors.texels[i] = 0xffffffff;
+        if (!reads_levels(state, i)) continue;
+        colors.texels[i]           = sample(state.samplers[i], fragment.points[i]);
+        const std::uint64_t texels = static_cast<std::uint64_t>(texels_read(state.samplers[i]));
+        counts.texels += texels;
+        counts.texel_bytes += texels * static_cast<std::uint64_t>(state.samplers[i].texel_bytes);
+    }
+    const std::uint32_t source = combined_color(state, colors);
+
+    if (!passes(state.alpha_func, source >> 24, state.alpha_reference)) return;
+    ++counts.alpha_passed;
+
+    if (pass.depth) {
+        const std::uint32_t depth = depth_in_format(fragment.depth, pass.depth_bits);
+        std::uint32_t& there      = pass.depth->row(fragment.y)[fragment.x];
+        if (!passes(state.depth_func, depth, there)) return;
+        if (state.depth_write) there = depth;
+    }
+    ++counts.depth_passed;
+
+    if (pass.color) {
+        std::uint32_t& there = pass.color->row(fragment.y)[fragment.x];
+        there                = blended_color(state, source, there);
+    }
+}
+
+// The four channels of a colour of the vertices, as planes or as those of vertex 0.
+class ColorOverTriangle {
+  public:
+    ColorOverTriangle(const Corners& corners, const std::array<std::uint32_t, 3>& colors, bool flat) {
+        if (flat) {
+            flat_ = colors[0];
+            return;
+        }
+        for (int c = 0; c < 4; ++c) {
+            const auto byte = [&](int i) { return std::int64_t{(colors[i] >> (8 * c)) & 255}; };
+            planes_[c]      = make_plane(corners, {byte(0), byte(1), byte(2)}, 23, 16);
+        }
+    }
+
+    std::uint32_t at(int x, int y) const {
+        if (flat_) return *flat_;
+        std::uint32_t color = 0;
+        for (int c = 0; c < 4; ++c) {
+            const int value = static_cast<std::int16_t>(planes_[c].value(x, y));
+            color |= static_cast<std::uint32_t>(((value + 64) >> 7) & 255) << (8 * c);
+        }
+        return color;
+    }
+
+  private:
+    std::array<Plane, 4> planes_;
+    std::optional<std::uint32_t> flat_;
+};
+
+// Rounded outwards, so that every pixel whose centre is inside is within; keeps the walk short, and decides nothing.
+Rect pixels_around(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
+    return {static_cast<int>(x0 >> 4), static_cast<int>(y0 >> 4), static_cast<int>(x1 >> 4) + 1,
+            static_cast<int>(y1 >> 4) + 1};
+}
+
+void draw(const PassFill& pass, const FillState& state, Triangle triangle, FillCounts& counts) {
+    const Corners corners = snap_clockwise(triangle);
+    if (corners.d == 0) return;
+
+    const std::array<std::int64_t, 3> z = {depth_at_vertex(triangle[0].z), depth_at_vertex(triangle[1].z),
+                                           depth_at_vertex(triangle[2].z)};
+    const Plane depth                   = make_plane(corners, z, 12, 12);
+    const auto [nearest, farthest]      = std::minmax({z[0], z[1], z[2]});
+    const ColorOverTriangle diffuse(corners, {triangle[0].diffuse, triangle[1].diffuse, triangle[2].diffuse},
+                                    state.flat);
+    const ColorOverTriangle specular(corners, {triangle[0].specular, triangle[1].specular, triangle[2].specular},
+                                     state.flat);
+    std::array<std::optional<TriangleTexture>, kMaxTextures> textures;
+    for (int i = 0; i < kMaxTextures; ++i)
+        if (reads_levels(state, i)) textures[i].emplace(corners, triangle, i, state.samplers[i]);
+
+    const auto [x0, x1] = std::minmax({corners.x[0], corners.x[1], corners.x[2]});
+    const auto [y0, y1] = std::minmax({corners.y[0], corners.y[1], corners.y[2]});
+    const Rect walk     = intersect(pass.scissor, pixels_around(x0, y0, x1, y1));
+    for (int y = walk.y0; y < walk.y1; ++y) {
+        for (int x = walk.x0; x < walk.x1; ++x) {
+            if (!covers(corners, x, y)) continue;
+            const std::int64_t value = static_cast<std::int32_t>(depth.value(x, y));
+            Fragment fragment{x,
+                              y,
+                              static_cast<std::uint32_t>(std::clamp(value, nearest, farthest)),
+                              diffuse.at(x, y),
+                              specular.at(x, y),
+                              {}};
+            for (int i = 0; i < kMaxTextures; ++i)
+                if (textures[i]) fragment.points[i] = textures[i]->at(x, y);
+            shade(pass, state, fragment, counts);
+        }
+    }
+}
+
+void draw(const PassFill& pass, const FillState& state, const Rectangle& rectangle, FillCounts& counts) {
+    const std::int64_t x0 = snap(rectangle.x0), y0 = snap(rectangle.y0);
+    const std::int64_t x1 = snap(rectangle.x1), y1 = snap(rectangle.y1);
+    if (x0 >= x1 || y0 >= y1) return;
+
+    std::array<std::optional<RectangleTexture>, kMaxTextures> textures;
+    for (int i = 0; i < kMaxTextures; ++i)
+        if (reads_levels(state, i)) textures[i].emplace(rectangle, i, state.samplers[i]);
+
+    const auto depth = static_cast<std::uint32_t>(depth_at_vertex(rectangle.z));
+    const Rect walk  = intersect(pass.scissor, pixels_around(x0, y0, x1, y1));
+    for (int y = walk.y0; y < walk.y1; ++y) {
+        for (int x = walk.x0; x < walk.x1; ++x) {
+            const int px = 16 * x + 8, py = 16 * y + 8;
+            if (px < x0 || px >= x1 || py < y0 || py >= y1) continue;
+            Fragment fragment{x, y, depth, rectangle.color, Vertex{}.specular, {}};
+            for (int i = 0; i < kMaxTextures; ++i)
+                if (textures[i]) fragment.points[i] = textures[i]->at(x, y);
+            shade(pass, state, fragment, counts);
+        }
+    }
+}
+
+}  // namespace
+
+FillCounts reference_fill_pass(const PassFill& pass) {
+    FillCounts counts;
+    for (const Draw& each : pass.draws) {
+        for (const Triangle& triangle : each.triangles) draw(pass, each.state, triangle, counts);
+        for (const Rectangle& rectangle : each.rectangles) draw(pass, each.state, rectangle, counts);
+    }
+    return counts;
+}
+
+}  // namespace raster

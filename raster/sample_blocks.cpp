@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "raster/sample_blocks.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/sample_blocks.cpp"
+#include "hwy/foreach_target.h"
+#include "raster/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raster {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE VI address(Address mode, VI i, std::int32_t size) {
+    switch (mode) {
+        case Address::Wrap:
+            return hn::And(i, seti(size - 1));
+        case Address::Clamp:
+            return hn::Min(hn::Max(i, seti(0)), seti(size - 1));
+        case Address::Mirror: {
+            const VI m = hn::And(i, seti(2 * size - 1));
+            return hn::Min(m, hn::Sub(seti(2 * size - 1), m));
+        }
+    }
+    return i;
+}
+
+// (a * (256 - f) + b * f + half) >> 8 of one row of texels is exact in 16 bits before the shift; the column needs 32.
+HWY_INLINE Pixels weigh_row(VU left, VU right, VU f, VU one_minus_f) {
+    const Pixels a = unpack(left), b = unpack(right);
+    return {add16(mul16(a.lo, one_minus_f), mul16(b.lo, f)), add16(mul16(a.hi, one_minus_f), mul16(b.hi, f))};
+}
+HWY_INLINE VU weigh_column(VU top, VU bottom, VI f) {  // pairs of 16-bit sums to pairs of bytes
+    const VI low     = seti(0xffff);
+    const auto weigh = [&](VI a, VI b) HWY_ATTR {
+        const VI sum = hn::Add(hn::ShiftLeft<8>(a), hn::Mul(hn::Sub(b, a), f));
+        return hn::ShiftRight<16>(hn::Add(sum, seti(1 << 15)));
+    };
+    const VI t = hn::BitCast(DI(), top), b = hn::BitCast(DI(), bottom);
+    const VI even = weigh(hn::And(t, low), hn::And(b, low));
+    const VI odd  = weigh(hn::BitCast(DI(), hn::ShiftRight<16>(top)), hn::BitCast(DI(), hn::ShiftRight<16>(bottom)));
+    return hn::BitCast(DU(), hn::Or(even, hn::ShiftLeft<16>(odd)));
+}
+
+template <bool kLinear>
+HWY_INLINE VU sample_level(const SamplePlan& plan, int index, VI u, VI v) {
+    const SamplePlan::Level& level    = plan.levels[index];
+    const std::uint32_t* const texels = plan.texels + level.offset;
+    const VI stride                   = seti(level.stride);
+    u                                 = hn::ShiftRightSame(u, index);
+    v                                 = hn::ShiftRightSame(v, index);
+    if constexpr (!kLinear) {
+        const VI i = address(plan.address_u, hn::ShiftRight<8>(u), level.width);
+        const VI j = address(plan.address_v, hn::ShiftRight<8>(v), level.height);
+        return hn::GatherIndex(DU(), texels, hn::Add(hn::Mul(j, stride), i));
+    } else {
+        u          = hn::Sub(u, seti(128));
+        v          = hn::Sub(v, seti(128));
+        const VI i = hn::ShiftRight<8>(u), j = hn::ShiftRight<8>(v);
+        const VI i0      = address(plan.address_u, i, level.width),
+                 i1      = address(plan.address_u, hn::Add(i, seti(1)), level.width);
+        const VI row0    = hn::Mul(address(plan.address_v, j, level.height), stride);
+        const VI row1    = hn::Mul(address(plan.address_v, hn::Add(j, seti(1)), level.height), stride);
+        const auto texel = [&](VI row, VI column)
+                               HWY_ATTR { return hn::GatherIndex(DU(), texels, hn::Add(row, column)); };
+
+        const VU fu = hn::BitCast(DU(), hn::And(u, seti(255)));
+        const VU f = hn::Or(fu, hn::ShiftLeft<16>(fu)), one_minus_f = sub16(set_pair(256), f);
+        const Pixels top    = weigh_row(texel(row0, i0), texel(row0, i1), f, one_minus_f);
+        const Pixels bottom = weigh_row(texel(row1, i0), texel(row1, i1), f, one_minus_f);
+        const VI fv         = hn::And(v, seti(255));
+        return pack({weigh_column(top.lo, bottom.lo, fv), weigh_column(top.hi, bottom.hi, fv)});
+    }
+}
+
+// Two levels, by f of 256.
+HWY_INLINE VU mix_levels(VU a, VU b, VU f) {
+    const VU f2 = hn::Or(f, hn::ShiftLeft<16>(f)), one_minus_f = sub16(set_pair(256), f2), half = set_pair(128);
+    const Pixels sum   = weigh_row(a, b, f2, one_minus_f);
+    const auto rounded = [&](VU v) HWY_ATTR { return hn::And(hn::ShiftRight<8>(add16(v, half)), set_pair(0xff)); };
+    return pack({rounded(sum.lo), rounded(sum.hi)});
+}
+
+template <bool kLinear>
+void sample(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
+    for (int block = 0; block < batch.count; ++block)
+        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
+            const VI u = hn::Load(DI(), batch.u[block] + lane), v = hn::Load(DI(), batch.v[block] + lane);
+            hn::Store(sample_level<kLinear>(plan, 0, u, v), DU(), out[block] + lane);
+        }
+}
+
+// One round for each level that a live lane reads: mostly a single one.
+template <bool kLinear, bool kMixLevels>
+void sample_mips(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
+    const int last = plan.level_count - 1;
+    for (int block = 0; block < batch.count; ++block)
+        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
+            const VI u = hn::Load(DI(), batch.u[block] + lane), v = hn::Load(DI(), batch.v[block] + lane);
+            const VI lod      = hn::Load(DI(), batch.lod[block] + lane);
+            const VI alive    = hn::BitCast(DI(), hn::Load(DU(), batch.mask[block] + lane));
+            const VI level    = hn::ShiftRight<8>(kMixLevels ? lod : hn::Add(lod, seti(128)));
+            const auto live   = hn::MaskFromVec(alive);
+            const int lowest  = hn::GetLane(hn::MinOfLanes(DI(), hn::IfThenElse(live, level, seti(last))));
+            const int highest = hn::GetLane(hn::MaxOfLanes(DI(), hn::IfThenElse(live, level, seti(0))));
+            VU texel          = set(0);
+            for (int index = lowest; index <= highest; ++index) {
+                VU here = sample_level<kLinear>(plan, index, u, v);
+                if constexpr (kMixLevels) {
+                    const VU next = sample_level<kLinear>(plan, index < last ? index + 1 : last, u, v);
+                    here          = mix_levels(here, next, hn::BitCast(DU(), hn::And(lod, seti(255))));
+                }
+                texel = select(hn::BitCast(DU(), hn::VecFromMask(DI(), hn::Eq(level, seti(index)))), here, texel);
+            }
+            hn::Store(texel, DU(), out[block] + lane);
+        }
+}
+
+void sample_white(const SamplePlan&, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
+    for (int block = 0; block < batch.count; ++block)
+        for (int lane = 0; lane < kBlockWidth; lane += lane_count())
+            hn::Store(set(0xffffffff), DU(), out[block] + lane);
+}
+
+SampleKernel get_sample_kernel(const SamplePlan& plan) {
+    if (plan.level_count == 0) return &sample_white;
+    if (plan.lod_max() == 0) return plan.linear ? &sample<true> : &sample<false>;
+    if (plan.mip == MipFilter::Linear) return plan.linear ? &sample_mips<true, true> : &sample_mips<false, true>;
+    return plan.linear ? &sample_mips<true, false> : &sample_mips<false, false>;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raster
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raster {
+
+HWY_EXPORT(get_sample_kernel);
+SampleKernel sample_kernel(const SamplePlan& plan) {
+    return HWY_DYNAMIC_DISPATCH(get_sample_kernel)(plan);
+}
+
+SamplePlan plan_sampler(const Sampler& sampler) {
+    SamplePlan plan;
+    plan.level_count = static_cast<int>(sampler.levels.size());
+    plan.linear      = sampler.linear;
+    plan.mip         = sampler.mip;
+    plan.address_u   = sampler.address_u;
+    plan.address_v   = sampler.address_v;
+    if (sampler.levels.empty()) return plan;
+    plan.texels = sampler.levels[0].texels;
+    for (int i = 0; i < plan.level_count; ++i) {
+        const TextureLevel& level = sampler.levels[i];
+        plan.levels[i]            = {.offset = static_cast<std::int32_t>(level.texels - plan.texels),
+                                     .stride = static_cast<std::int32_t>(level.stride),
+                                     .width  = level.width,
+                                     .height = level.height};
+    }
+    return plan;
+}
+
+}  // namespace raster
+#endif

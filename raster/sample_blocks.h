@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Kernel: batch.u, v (and lod) to texels, by the rules of raster/sampling_rules.h.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "raster/fragment_batch.h"
+#include "raster/sampling_rules.h"
+
+namespace raster {
+
+inline constexpr int kMaxLevels = 14;  // 8192 texels
+
+// A sampler as the kernel wants it: levels as offsets into one array of texels.
+struct SamplePlan {
+    const std::uint32_t* texels = nullptr;
+    struct Level {
+        std::int32_t offset = 0, stride = 0;  // texels
+        std::int32_t width = 0, height = 0;
+    };
+    std::array<Level, kMaxLevels> levels;
+    int level_count   = 0;
+    bool linear       = false;
+    MipFilter mip     = MipFilter::None;
+    Address address_u = Address::Wrap;
+    Address address_v = Address::Wrap;
+
+    int lod_max() const { return mip == MipFilter::None ? 0 : 256 * (level_count - 1); }
+    int texels_per_fragment() const {
+        return level_count == 0 ? 0 : (linear ? 4 : 1) * (mip == MipFilter::Linear ? 2 : 1);
+    }
+};
+SamplePlan plan_sampler(const Sampler& sampler);
+
+using SampleKernel = void (*)(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out);
+SampleKernel sample_kernel(const SamplePlan& plan);  // for this processor
+
+}  // namespace raster

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// From a triangle to what the kernels step through: edge functions and planes in 64-bit integers, per pixel. The rules are those
+// of raster/primitives.h and raster/sampling_rules.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "raster/primitives.h"
+#include "raster/tile.h"
+
+namespace raster {
+
+// value at the centre of pixel (x, y): origin + dx * x + dy * y, modulo 2^64.
+struct Plane {
+    std::uint64_t origin = 0, dx = 0, dy = 0;
+    std::uint64_t at(int x, int y) const {
+        return origin + dx * static_cast<std::uint64_t>(x) + dy * static_cast<std::uint64_t>(y);
+    }
+};
+
+// Inside where a * x + b * y + c >= 0 for pixel (x, y). The edge function only takes every 16th integer from one pixel to the
+// next, so its low 4 bits never change and are dropped: |a|, |b| <= 2^19.
+struct Edge {
+    std::int64_t a = 0, b = 0, c = 0;
+    std::int64_t at(std::int64_t x, std::int64_t y) const { return a * x + b * y + c; }
+};
+
+struct TexturePlanes {
+    Plane s, t, q;
+    float scale_u = 0.0f, scale_v = 0.0f;                  // ku, kv of the rules
+    float sx = 0, tx = 0, qx = 0, sy = 0, ty = 0, qy = 0;  // steps, for the level of detail
+};
+
+struct SetUpTriangle {
+    Rect bounds;  // pixels that may be covered, within the scissor
+    std::array<Edge, 3> edges;
+    Plane depth;
+    std::int32_t depth_min = 0, depth_max = 0;
+    std::uint32_t flat_diffuse = 0, flat_specular = 0;  // where the colour does not vary
+    bool diffuse_varies = false, specular_varies = false;
+    std::array<Plane, 4> diffuse, specular;  // blue, green, red, alpha
+    std::array<TexturePlanes, kMaxTextures> textures;
+};
+
+// What of a triangle a draw needs. Texture sizes are those of level 0.
+struct SetupNeeds {
+    bool depth = false, diffuse = false, specular = false, flat = false;
+    std::array<bool, kMaxTextures> texture{}, lod{};
+    std::array<int, kMaxTextures> width{}, height{};
+};
+
+// False if nothing can be covered within `scissor`.
+bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Rect& scissor, SetUpTriangle& out);
+
+// A rectangle's texture coordinates: planes in one variable, 2^32 to the texel.
+struct AxisPlane {
+    std::uint64_t origin = 0, step = 0;
+    std::uint64_t at(int i) const { return origin + step * static_cast<std::uint64_t>(i); }
+};
+
+struct SetUpRectangle {
+    Rect bounds;
+    std::uint32_t depth = 0;  // 30 bits
+    std::uint32_t color = 0;
+    struct Texture {
+        AxisPlane u, v;
+        float ux = 0, vy = 0;  // texels per pixel
+    };
+    std::array<Texture, kMaxTextures> textures;
+};
+
+bool set_up_rectangle(const Rectangle& rectangle, const SetupNeeds& needs, const Rect& scissor, SetUpRectangle& out);
+
+// floor((p + 2^(S-1)) / 2^S) of a plane, modulo 2^32: the r of the rules.
+template <int S>
+constexpr std::int32_t read_plane(std::uint64_t p) {
+    return static_cast<std::int32_t>(
+        static_cast<std::uint32_t>(static_cast<std::uint64_t>(static_cast<std::int64_t>(p + (1ull << (S - 1))) >> S)));
+}
+
+inline constexpr int kColorDrop = 16, kDepthDrop = 12, kTextureDrop = 12, kRectangleDrop = 16;  // S of the rules
+inline constexpr int kColorFraction = 23, kDepthFraction = 12, kTextureFraction = 12;           // F of the rules
+
+}  // namespace raster
