@@ -3,7 +3,6 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <numeric>
@@ -11,6 +10,7 @@
 #include "raster/bin.h"
 #include "raster/fill_plan.h"
 #include "raster/fill_tile.h"
+#include "raster/thread_arena.h"
 
 namespace raster {
 namespace {
@@ -100,8 +100,7 @@ FillCounts fill(const PassFill& pass, const FillOptions& options) {
 
 FillCounts fill_pass(const PassFill& pass, const FillOptions& options) {
     if (pass.scissor.empty()) return {};
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    return arena.execute([&] { return fill(pass, options); });
+    return ThreadArena(options.threads).run([&] { return fill(pass, options); });
 }
 
 void fill_rect(Image& image, const Rect& rect, std::uint32_t value) {

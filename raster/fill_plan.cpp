@@ -50,7 +50,8 @@ FillPlan plan_fill(const FillState& state, bool has_color, int depth_bits) {
         plan.texels_per_fragment += texels;
         plan.texel_bytes_per_fragment += texels * static_cast<std::uint64_t>(state.samplers[i].texel_bytes);
         if (!plan.uses_color) continue;
-        plan.sample[i] = sample_kernel(sampler);
+        plan.sample[i]           = sample_kernel(sampler);
+        plan.sample_rectangle[i] = sample_rectangle_kernel(sampler);
         if (sampler.level_count == 0) continue;
         plan.needs.texture[i] = true;
         plan.needs.lod[i]     = sampler.lod_max() > 0;

@@ -28,7 +28,7 @@ struct FillPlan {
     CoverKernels cover;
     InterpolateKernels interpolate;
     std::array<SamplePlan, kMaxTextures> samplers;
-    std::array<SampleKernel, kMaxTextures> sample{};
+    std::array<SampleKernel, kMaxTextures> sample{}, sample_rectangle{};
     CombineKernels combine;
     TestKernels test;
     BlendConstants blend_constants;

@@ -29,7 +29,8 @@ void sample(const Command& command, int i, FragmentBatch& batch) {
         command.rectangle ? plan.interpolate.rectangle_uv(command.rectangle->textures[i], lod_max, batch)
                           : plan.interpolate.triangle_uv(command.triangle->textures[i], lod_max, batch);
     }
-    plan.sample[i](plan.samplers[i], batch, batch.texel[i]);
+    const SampleKernel kernel = command.rectangle ? plan.sample_rectangle[i] : plan.sample[i];
+    kernel(plan.samplers[i], batch, batch.texel[i]);
 }
 
 void make_color(const Command& command, FragmentBatch& batch) {

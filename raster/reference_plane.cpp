@@ -31,7 +31,6 @@ Corners snap_clockwise(Triangle& triangle) {
 }
 
 bool covers(const Corners& c, int x, int y) {
-    if (c.d == 0) return false;
     const std::int64_t px = 16 * std::int64_t{x} + 8, py = 16 * std::int64_t{y} + 8;
     for (int a = 0; a < 3; ++a) {
         const int b          = (a + 1) % 3;

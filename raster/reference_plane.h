@@ -21,7 +21,7 @@ struct Corners {
 // Snaps a triangle. Where it went counter-clockwise, its vertices 1 and 2 change places too.
 Corners snap_clockwise(Triangle& triangle);
 
-bool covers(const Corners& corners, int x, int y);
+bool covers(const Corners& corners, int x, int y);  // d is not 0
 
 // A plane in 64-bit integers modulo 2^64, held as the bits of unsigned ones.
 struct Plane {

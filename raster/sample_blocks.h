@@ -35,6 +35,9 @@ struct SamplePlan {
 SamplePlan plan_sampler(const Sampler& sampler);
 
 using SampleKernel = void (*)(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out);
-SampleKernel sample_kernel(const SamplePlan& plan);  // for this processor
+
+// This processor's kernels: for anything, and for rectangles, where v is the same along a block and u advances evenly.
+SampleKernel sample_kernel(const SamplePlan& plan);
+SampleKernel sample_rectangle_kernel(const SamplePlan& plan);
 
 }  // namespace raster

@@ -2,7 +2,6 @@
 #include "pipeline/execute/execute.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "raster/fill_pass.h"
 #include "raster/reference.h"
 #include "raster/simd_targets.h"
+#include "raster/thread_arena.h"
 
 namespace pipeline {
 namespace {
@@ -47,10 +47,7 @@ raster::Rectangle lower(const DrawRectangle& rectangle) {
 class Executor {
   public:
     Executor(const Frame& frame, const ExecuteOptions& options)
-        : frame_(frame),
-          options_(options),
-          memory_(frame),
-          arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+        : frame_(frame), options_(options), memory_(frame), arena_(options.threads) {}
 
     PassCounts run(const Pass& pass) {
         const PixelRect viewport = resolve(pass.state.viewport, pass);
@@ -120,7 +117,7 @@ class Executor {
                 ++counts.rectangles;
             }
         }
-        arena_.execute([&] {
+        arena_.run([&] {
             tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
                 VertexJob& job = jobs[i];
                 if (job.draw)
@@ -158,7 +155,7 @@ class Executor {
     const Frame& frame_;
     const ExecuteOptions& options_;
     FrameMemory memory_;
-    tbb::task_arena arena_;
+    raster::ThreadArena arena_;
 };
 
 }  // namespace

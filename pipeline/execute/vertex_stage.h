@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
-// From object space to window space, for triangles: transform, Direct3D 7 lighting, vertex fog, texture coordinate generation,
-// clipping, the viewport and culling. Single precision in one fixed order; no function of the C library but sqrt.
-//   clip    Against the near and far plane (0 <= z <= w) and a guard band of kGuardBand pixels around the viewport; what lies
-//           between the viewport and the guard band is left to the scissor. An edge is always cut from its inside end, so two
-//           triangles that share it get the same new vertex.
-//   window  x = X + (1 + cx/cw) * W/2, y = Y + (1 - cy/cw) * H/2, z = cz/cw, rhw = 1/cw, for viewport (X, Y, W, H).
-//   cull    By the sign of the area of the snapped corners (raster/primitives.h).
+// From object space to window space, for triangles: transform, Direct3D 7 lighting, vertex fog, texture coordinate
+// generation, clipping, the viewport and culling. Matrices are multiplied in double and rounded once; from there single
+// precision in one fixed order, but for lengths, curves and the cuts of edges (double); no function of the C library
+// but sqrt.
+//   clip    Against the near and far plane (0 <= z <= w) and a guard band of kGuardBand pixels around the viewport;
+//           what reaches from the viewport into the guard band is left to the scissor. Triangles with all corners
+//           beyond one side of the viewport are dropped. See pipeline/execute/clip.h.
+//   window  x = X + (1 + cx/cw) * W/2, y = Y + (1 - cy/cw) * H/2, z = cz/cw, rhw = 1/cw, for viewport (X, Y, W, H);
+//           kept within the guard band and 0..1, which only the rounding of a cut can leave.
+//   cull    By the sign of D, the area of the snapped corners (raster/primitives.h): CW drops D > 0, CCW drops D < 0,
+//           and D = 0 is always dropped.
+//   colour  Bytes, round(c * 255) half up, made last: clipping works on floats. With flat shading all corners get the
+//           bytes of the triangle's first vertex, whatever clipping leaves of it.
+// Overflow: a triangle is dropped if one of its clip coordinates is not finite, or if a texture coordinate is beyond
+// what raster::TexCoord allows; a colour or fog that is not a number counts as 0.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +26,14 @@ namespace pipeline {
 
 inline constexpr float kGuardBand = 4096.0f;  // pixels; with targets of 8192 this stays within raster::kMaxCoordinate
 
+// vertices: each vertex of the range once.
 struct VertexStageCounts {
     std::uint64_t vertices = 0, triangles_in = 0, triangles_drawn = 0;
 };
 
-// Appends the triangles of draw's indices [first, first + count) to `out`, in order. `viewport` is already resolved (not empty).
-// first and count are multiples of 3 from the draw's own first index.
+// Appends the triangles of Frame::indices [first, first + count), which is a part of the draw's range, to `out`, in
+// order; first is a multiple of 3 from draw.first_index, and so is count. `viewport` is already resolved (not empty).
+// Reentrant.
 VertexStageCounts run_vertex_stage(const Frame& frame, const Pass& pass, const DrawTriangles& draw, std::uint32_t first,
                                    std::uint32_t count, const PixelRect& viewport, std::vector<raster::Triangle>& out);
 

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Sampling for rectangles: along a block v is constant and u advances evenly, so texels come from contiguous loads instead of
+// one by one, and a blit's weights are often quarters or halves, which need no more than 16 bits.
+#include "raster/sample_blocks.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/sample_rectangle_blocks.cpp"
+#include "hwy/foreach_target.h"
+#include "raster/lanes-inl.h"
+#include "raster/sampling-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raster {
+namespace HWY_NAMESPACE {
+
+// The four neighbours of each lane's position.
+struct Quad {
+    VU t00, t10, t01, t11;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+constexpr bool kHasWindows = false;
+HWY_INLINE bool load_window(const std::uint32_t*, const std::uint32_t*, const std::int32_t*, Quad&) {
+    return false;
+}
+HWY_INLINE bool load_halved(const std::uint32_t*, const std::uint32_t*, Quad&) {
+    return false;
+}
+#else
+constexpr bool kHasWindows = true;
+
+// Magnified: all lanes lie in one vector of texels. u: less half a texel, of the vector's lanes.
+HWY_INLINE bool load_window(const std::uint32_t* row0, const std::uint32_t* row1, const std::int32_t* u, Quad& quad) {
+    const VI column  = hn::ShiftRight<8>(hn::Sub(hn::Load(DI(), u), seti(128)));
+    const VI from    = hn::Sub(column, seti(hn::GetLane(column)));
+    const auto left  = hn::IndicesFromVec(DU(), from);
+    const auto right = hn::IndicesFromVec(DU(), hn::Add(from, seti(1)));
+    const VU a = hn::LoadU(DU(), row0), b = hn::LoadU(DU(), row1);
+    quad = {hn::TableLookupLanes(a, left), hn::TableLookupLanes(a, right), hn::TableLookupLanes(b, left),
+            hn::TableLookupLanes(b, right)};
+    return true;
+}
+
+// Two texels to the pixel.
+HWY_INLINE bool load_halved(const std::uint32_t* row0, const std::uint32_t* row1, Quad& quad) {
+    const DU d;
+    const VU a0 = hn::LoadU(d, row0), a1 = hn::LoadU(d, row0 + lane_count());
+    const VU b0 = hn::LoadU(d, row1), b1 = hn::LoadU(d, row1 + lane_count());
+    quad = {hn::ConcatEven(d, a1, a0), hn::ConcatOdd(d, a1, a0), hn::ConcatEven(d, b1, b0), hn::ConcatOdd(d, b1, b0)};
+    return true;
+}
+#endif
+
+// The neighbours of one vector of lanes if contiguous loads give them; false at the border and for other steps.
+HWY_INLINE bool load_quad(const SamplePlan& plan, const std::int32_t* u, std::int32_t v, Quad& quad) {
+    const SamplePlan::Level& level = plan.levels[0];
+    const int last_lane            = lane_count() - 1;
+    const int first = (u[0] - 128) >> 8, last = (u[last_lane] - 128) >> 8, j = (v - 128) >> 8;
+    if (first < 0 || j < 0 || j + 1 >= level.height) return false;
+    const std::uint32_t* const row0 = plan.texels + static_cast<std::ptrdiff_t>(j) * level.stride + first;
+    const std::uint32_t* const row1 = row0 + level.stride;
+    // u is the floor of evenly spaced values, so its total change tells every single one.
+    const int change                = u[last_lane] - u[0];
+    if (change == 256 * last_lane && last + 1 < level.width) {
+        const DU d;
+        quad = {hn::LoadU(d, row0), hn::LoadU(d, row0 + 1), hn::LoadU(d, row1), hn::LoadU(d, row1 + 1)};
+        return true;
+    }
+    if (!kHasWindows) return false;
+    if (change == 512 * last_lane && last + 1 < level.width) return load_halved(row0, row1, quad);
+    if (change > 0 && last + 1 - first <= last_lane && first + last_lane < level.width)
+        return load_window(row0, row1, u, quad);
+    return false;
+}
+
+// (a + b + c + d + 2) >> 2: all four weights alike.
+HWY_INLINE VU average(const Quad& quad) {
+    const Pixels a = unpack(quad.t00), b = unpack(quad.t10), c = unpack(quad.t01), d = unpack(quad.t11);
+    const VU two = set_pair(2), bytes = set_pair(0xff);
+    const auto quarter = [&](VU p, VU q, VU r, VU s) HWY_ATTR {
+        return hn::And(hn::ShiftRight<2>(add16(add16(add16(p, q), add16(r, s)), two)), bytes);
+    };
+    return pack({quarter(a.lo, b.lo, c.lo, d.lo), quarter(a.hi, b.hi, c.hi, d.hi)});
+}
+
+// Weights that are quarters: the sum is at most 16 * 255.
+HWY_INLINE VU weigh_quarters(const Quad& quad, VI u, VI v) {
+    const auto pair_of_quarters = [](VI fraction) HWY_ATTR {
+        const VU f = hn::BitCast(DU(), hn::ShiftRight<6>(hn::And(fraction, seti(255))));
+        return hn::Or(f, hn::ShiftLeft<16>(f));
+    };
+    const VU four = set_pair(4), fu = pair_of_quarters(u), fv = pair_of_quarters(v);
+    const VU gu = sub16(four, fu), gv = sub16(four, fv);
+    const Pixels top = weigh_row(quad.t00, quad.t10, fu, gu), bottom = weigh_row(quad.t01, quad.t11, fu, gu);
+    const auto weigh = [&](VU a, VU b) HWY_ATTR {
+        const VU sum = add16(add16(mul16(a, gv), mul16(b, fv)), set_pair(8));
+        return hn::And(hn::ShiftRight<4>(sum), set_pair(0xff));
+    };
+    return pack({weigh(top.lo, bottom.lo), weigh(top.hi, bottom.hi)});
+}
+
+HWY_INLINE VU weigh_any(const Quad& quad, VI u, VI v) {
+    const VU fu = hn::BitCast(DU(), hn::And(u, seti(255)));
+    const VU f = hn::Or(fu, hn::ShiftLeft<16>(fu)), one_minus_f = sub16(set_pair(256), f);
+    const Pixels top    = weigh_row(quad.t00, quad.t10, f, one_minus_f),
+                 bottom = weigh_row(quad.t01, quad.t11, f, one_minus_f);
+    const VI fv         = hn::And(v, seti(255));
+    return pack({weigh_column(top.lo, bottom.lo, fv), weigh_column(top.hi, bottom.hi, fv)});
+}
+
+void sample_rectangle_linear(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
+    for (int block = 0; block < batch.count; ++block)
+        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
+            const std::int32_t* const at = batch.u[block] + lane;
+            const std::int32_t v_there   = batch.v[block][lane];
+            const VI u = hn::Load(DI(), at), v = seti(v_there);
+            Quad quad;
+            VU texel;
+            if (!load_quad(plan, at, v_there, quad)) {
+                texel = sample_level<true>(plan, 0, u, v);
+            } else {
+                const VI moved_u = hn::Sub(u, seti(128)), moved_v = hn::Sub(v, seti(128));
+                const int step = kBlockWidth > 1 && lane_count() > 1 ? at[1] - at[0] : 256;
+                const int bits = (at[0] | v_there | step);
+                if ((bits & 255) == 0)
+                    texel = average(quad);  // both fractions are one half
+                else if ((bits & 63) == 0 && at[lane_count() - 1] - at[0] == step * (lane_count() - 1))
+                    texel = weigh_quarters(quad, moved_u, moved_v);
+                else
+                    texel = weigh_any(quad, moved_u, moved_v);
+            }
+            hn::Store(texel, DU(), out[block] + lane);
+        }
+}
+
+void sample_rectangle_point(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
+    const SamplePlan::Level& level = plan.levels[0];
+    for (int block = 0; block < batch.count; ++block)
+        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
+            const std::int32_t* const at = batch.u[block] + lane;
+            const int i = at[0] >> 8, j = batch.v[block][lane] >> 8, last_lane = lane_count() - 1;
+            const bool contiguous = at[last_lane] - at[0] == 256 * last_lane && i >= 0 && i + last_lane < level.width &&
+                                    j >= 0 && j < level.height;
+            const VU texel =
+                contiguous ? hn::LoadU(DU(), plan.texels + static_cast<std::ptrdiff_t>(j) * level.stride + i)
+                           : sample_level<false>(plan, 0, hn::Load(DI(), at), hn::Load(DI(), batch.v[block] + lane));
+            hn::Store(texel, DU(), out[block] + lane);
+        }
+}
+
+SampleKernel get_rectangle_kernel(const SamplePlan& plan) {
+    return plan.linear ? &sample_rectangle_linear : &sample_rectangle_point;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raster
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raster {
+HWY_EXPORT(get_rectangle_kernel);
+SampleKernel sample_rectangle_kernel(const SamplePlan& plan) {
+    if (plan.level_count == 0 || plan.lod_max() > 0) return sample_kernel(plan);
+    return HWY_DYNAMIC_DISPATCH(get_rectangle_kernel)(plan);
+}
+}  // namespace raster
+#endif
