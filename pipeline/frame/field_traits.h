@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What generic code over visit_fields needs to know of a field's type: the shapes a frame is built from (structs, lists,
-// arrays, optionals, variants, ids, vectors and matrices) and how to walk two structs of one type side by side.
+// What generic code over visit_fields needs to know of a field's type: the shapes a frame is built from (structs,
+// lists, arrays, optionals, variants, ids, vectors and matrices) and how to walk two structs of one type side by side.
 #pragma once
 
 #include <array>

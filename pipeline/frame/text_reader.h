@@ -231,6 +231,7 @@ class TextReader {
             reason += i == 0 ? " one of " : ", ";
             reason += names[i];
         }
+        if (word.empty()) reason += ", got " + scan_.what_follows();
         scan_.fail_at(start, reason);
     }
 

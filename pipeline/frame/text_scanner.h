@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text as a row of tokens: words, numbers, quoted strings, brackets. Everything that looks at single characters, and the
-// one place that knows where an error is. Never allocates but for the text of a string or an error.
+// Text as a row of tokens: words, numbers, quoted strings, brackets. Everything that looks at single characters, and
+// the one place that knows where an error is. Never allocates but for the text of a string or an error.
 #pragma once
 
 #include <charconv>

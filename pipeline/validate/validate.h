@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a frame well formed? Ids in range, sizes within limits, no feedback loops, finite numbers, states that mean something.
-// `execute` relies on nothing else. Every finding is returned, not only the first.
+// Is a frame well formed? Ids in range, sizes within limits, no feedback loops, finite numbers, states that mean
+// something. `execute` relies on nothing else. Every finding is returned, not only the first.
 #pragma once
 
 #include <string>

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <bit>
+#include <cmath>
+
+#include "pipeline/validate/check_pass.h"
+#include "pipeline/validate/check_values.h"
+
+namespace pipeline {
+
+namespace {
+
+constexpr std::int32_t kMaxRectangleCoordinate = 12288;  // pixels, either side of 0
+constexpr std::int32_t kMaxRectangleTexel      = 16384;  // texels, either side of 0
+
+struct Size {
+    std::int32_t width = 0, height = 0;
+};
+
+// Of what is bound; zero if that is nothing, or not valid itself.
+Size bound_size(const Frame& frame, const TextureBinding& binding) {
+    const Texture* texture = find_texture(frame, binding.texture);
+    const Target* target   = find_target(frame, binding.target);
+    if ((texture == nullptr) == (target == nullptr)) return {};
+    const Size size = texture != nullptr ? Size{texture->width, texture->height} : Size{target->width, target->height};
+    const auto is_possible = [](std::int32_t texels) { return texels >= 1 && texels <= kMaxTextureSize; };
+    return is_possible(size.width) && is_possible(size.height) ? size : Size{};
+}
+
+void check_address(TextureAddress address, char axis, std::int32_t size, const Place& place, Findings& findings) {
+    if (address == TextureAddress::Clamp || size == 0 || is_power_of_two(size)) return;
+    report(findings, place,
+           "must have a size that is a power of two for address_" + std::string(1, axis) + ' ' +
+               std::string(enum_name(address)) + got(size));
+}
+
+void check_bindings(const Frame& frame, const Pass& pass, const TextureBindings& textures, const Place& place,
+                    Findings& findings) {
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        const TextureBinding& binding = textures[i];
+        const Place here              = place.entry("textures", i);
+        if (binding.texture && binding.target) {
+            report(findings, here, "must bind a texture or a target, not both");
+        }
+        if (const Target* target = find_target(frame, binding.target)) {
+            if (is_depth(target->format)) {
+                report(findings, here.field("target"), "must be a colour target" + got(target->format));
+            }
+            if (binding.target == pass.color) {
+                report(findings, here.field("target"), "must not be the target that the pass draws to");
+            }
+        }
+        if (reads_texture(pass.state, static_cast<int>(i))) {
+            const TextureStage& stage = pass.state.stages[i];
+            const Size size           = bound_size(frame, binding);
+            if (static_cast<std::size_t>(stage.address_u) < EnumNames<TextureAddress>::names.size()) {
+                check_address(stage.address_u, 'u', size.width, here, findings);
+            }
+            if (static_cast<std::size_t>(stage.address_v) < EnumNames<TextureAddress>::names.size()) {
+                check_address(stage.address_v, 'v', size.height, here, findings);
+            }
+        }
+    }
+}
+
+void check_triangles(const Frame& frame, const Pass& pass, const DrawTriangles& draw, const Place& place,
+                     Findings& findings) {
+    if (!pass.camera) report(findings, place, "must have a camera: the pass names none");
+    if (draw.index_count % 3 != 0) {
+        report(findings, place.field("index_count"), "must be a multiple of 3" + got(draw.index_count));
+    }
+    const std::uint64_t end = std::uint64_t{draw.first_index} + draw.index_count;
+    if (end > frame.indices.size()) {
+        report(findings, place,
+               "must use indices below " + std::to_string(frame.indices.size()) + " (got " +
+                   std::to_string(draw.first_index) + ".." + std::to_string(end - 1) + ')');
+    }
+}
+
+void check_rectangle(const Frame& frame, const DrawRectangle& draw, const Place& place, Findings& findings) {
+    const auto check_axis = [&](std::string_view low_name, float low, std::string_view high_name, float high) {
+        if (low > high) {
+            report(findings, place.field(high_name), "must be >= " + std::string(low_name) + got(high));
+        }
+        for (const auto& [name, value] : {std::pair{low_name, low}, std::pair{high_name, high}}) {
+            if (std::abs(value) > static_cast<float>(kMaxRectangleCoordinate)) {
+                report(findings, place.field(name),
+                       "must lie within " + std::to_string(kMaxRectangleCoordinate) + " pixels of 0" + got(value));
+            }
+        }
+    };
+    check_axis("x0", draw.x0, "x1", draw.x1);
+    check_axis("y0", draw.y0, "y1", draw.y1);
+    if (draw.depth < 0.0f || draw.depth > 1.0f) {
+        report(findings, place.field("depth"), "must lie within 0..1" + got(draw.depth));
+    }
+    for (std::size_t i = 0; i < draw.uv.size(); ++i) {
+        const Size size       = bound_size(frame, draw.textures[i]);
+        const UvRect& uv      = draw.uv[i];
+        const auto is_too_far = [](float coordinate, std::int32_t texels) {
+            return std::abs(coordinate) * static_cast<float>(texels) > static_cast<float>(kMaxRectangleTexel);
+        };
+        if (is_too_far(uv.u0, size.width) || is_too_far(uv.u1, size.width) || is_too_far(uv.v0, size.height) ||
+            is_too_far(uv.v1, size.height)) {
+            report(findings, place.entry("uv", i),
+                   "must stay within " + std::to_string(kMaxRectangleTexel) + " texels of the texture's origin");
+        }
+    }
+}
+
+}  // namespace
+
+bool is_power_of_two(std::int32_t size) {
+    return size > 0 && std::has_single_bit(static_cast<std::uint32_t>(size));
+}
+
+const Target* find_target(const Frame& frame, TargetId id) {
+    return is_in_range(frame, id) ? &frame.targets[static_cast<std::size_t>(id.index)] : nullptr;
+}
+
+const Texture* find_texture(const Frame& frame, TextureId id) {
+    return is_in_range(frame, id) ? &frame.textures[static_cast<std::size_t>(id.index)] : nullptr;
+}
+
+bool reads_texture(const PipelineState& state, int index) {
+    for (int i = 0; i < index; ++i) {
+        if (state.stages[static_cast<std::size_t>(i)].color_op == TextureOp::Disable) return false;
+    }
+    const auto reads = [](TextureOp op, const TextureArg& arg1, const TextureArg& arg2) {
+        if (op == TextureOp::Disable) return false;
+        return (op != TextureOp::SelectArg2 && arg1.source == ArgSource::Texture) ||
+               (op != TextureOp::SelectArg1 && arg2.source == ArgSource::Texture);
+    };
+    const TextureStage& stage = state.stages[static_cast<std::size_t>(index)];
+    return stage.color_op != TextureOp::Disable && (reads(stage.color_op, stage.color_arg1, stage.color_arg2) ||
+                                                    reads(stage.alpha_op, stage.alpha_arg1, stage.alpha_arg2));
+}
+
+void check_draws(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {
+    for (std::size_t i = 0; i < pass.draws.size(); ++i) {
+        const Place here = place.entry("draws", i);
+        if (const auto* triangles = std::get_if<DrawTriangles>(&pass.draws[i])) {
+            check_triangles(frame, pass, *triangles, here, findings);
+            check_bindings(frame, pass, triangles->textures, here, findings);
+        } else {
+            const auto& rectangle = std::get<DrawRectangle>(pass.draws[i]);
+            check_rectangle(frame, rectangle, here, findings);
+            check_bindings(frame, pass, rectangle.textures, here, findings);
+        }
+    }
+}
+
+}  // namespace pipeline

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/validate/check_pass.h"
+#include "pipeline/validate/check_values.h"
+
+namespace pipeline {
+
+namespace {
+
+std::string size_text(std::int32_t width, std::int32_t height) {
+    return std::to_string(width) + 'x' + std::to_string(height);
+}
+
+void check_targets(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {
+    if (!pass.color && !pass.depth) report(findings, place.field("color"), "must refer to a target, or depth must");
+    const Target* color = find_target(frame, pass.color);
+    const Target* depth = find_target(frame, pass.depth);
+    if (color != nullptr && is_depth(color->format)) {
+        report(findings, place.field("color"), "must be a colour target" + got(color->format));
+    }
+    if (depth != nullptr && !is_depth(depth->format)) {
+        report(findings, place.field("depth"), "must be a depth target" + got(depth->format));
+    }
+    if (color != nullptr && depth != nullptr && (color->width != depth->width || color->height != depth->height)) {
+        report(findings, place.field("depth"),
+               "must have the size of the colour target, " + size_text(color->width, color->height) + " (got " +
+                   size_text(depth->width, depth->height) + ')');
+    }
+}
+
+void check_clear_and_depth(const Pass& pass, const Place& place, Findings& findings) {
+    const Place clear = place.field("clear");
+    if (!pass.color && pass.clear.color) {
+        report(findings, clear.field("color"), "must be left out: the pass has no colour target");
+    }
+    if (pass.clear.depth) {
+        const Place depth = clear.field("depth");
+        if (!pass.depth) report(findings, depth, "must be left out: the pass has no depth target");
+        if (*pass.clear.depth < 0.0f || *pass.clear.depth > 1.0f) {
+            report(findings, depth, "must lie within 0..1" + got(*pass.clear.depth));
+        }
+    }
+    if (!pass.depth) {
+        const Place state = place.field("state"), depth = state.field("depth");
+        if (pass.state.depth.func != CompareFunc::Always) {
+            report(findings, depth.field("func"),
+                   "must be ALWAYS: the pass has no depth target" + got(pass.state.depth.func));
+        }
+        if (pass.state.depth.write) {
+            report(findings, depth.field("write"), "must be false: the pass has no depth target");
+        }
+    }
+}
+
+void check_part(const PixelRect& part, const Target& target, const Place& place, Findings& findings) {
+    if (part == PixelRect{}) return;
+    const std::string got_part = " (got " + std::to_string(part.x0) + ' ' + std::to_string(part.y0) + ' ' +
+                                 std::to_string(part.x1) + ' ' + std::to_string(part.y1) + ')';
+    if (part.x0 >= part.x1 || part.y0 >= part.y1) {
+        report(findings, place, "must have x0 < x1 and y0 < y1, or be all zeros for the whole target" + got_part);
+    }
+    if (part.x0 < 0 || part.y0 < 0 || part.x1 > target.width || part.y1 > target.height) {
+        report(findings, place, "must lie within the target, " + size_text(target.width, target.height) + got_part);
+    }
+}
+
+void check_stages(const PipelineState& state, const Place& place, Findings& findings) {
+    bool ended = false;
+    for (std::size_t i = 0; i < state.stages.size(); ++i) {
+        const TextureStage& stage = state.stages[i];
+        const Place here          = place.entry("stages", i);
+        const bool color_is_off   = stage.color_op == TextureOp::Disable,
+                   alpha_is_off   = stage.alpha_op == TextureOp::Disable;
+        if (ended && !color_is_off) {
+            report(findings, here.field("color_op"), "must be DISABLE: an earlier stage is" + got(stage.color_op));
+        } else if (color_is_off && !alpha_is_off) {
+            report(findings, here.field("alpha_op"), "must be DISABLE, as color_op is" + got(stage.alpha_op));
+        } else if (!color_is_off && alpha_is_off) {
+            report(findings, here.field("alpha_op"),
+                   "must not be DISABLE while color_op is on: Direct3D 7 leaves that undefined; SELECTARG2 with "
+                   "CURRENT keeps the alpha");
+        }
+        ended = ended || color_is_off;
+    }
+}
+
+void check_light(const Light& light, const Place& place, Findings& findings) {
+    if (light.type != LightType::Point) return;
+    if (light.range < 0.0f) report(findings, place.field("range"), "must be >= 0" + got(light.range));
+    const Vec3& a = light.attenuation;
+    if (a.x < 0.0f || a.y < 0.0f || a.z < 0.0f) {
+        report(findings, place.field("attenuation"), "must not be negative" + got(a));
+    } else if (a == Vec3(0.0f)) {
+        report(findings, place.field("attenuation"), "must not be all zero: the light would be infinite");
+    }
+}
+
+void check_lighting(const LightingState& lighting, const Place& place, Findings& findings) {
+    if (lighting.lights.size() > static_cast<std::size_t>(kMaxLights)) {
+        report(findings, place.field("lights"),
+               "must be at most " + std::to_string(kMaxLights) + got(lighting.lights.size()));
+    }
+    for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+        check_light(lighting.lights[i], place.entry("lights", i), findings);
+    }
+    if (lighting.material.power < 0.0f) {
+        const Place material = place.field("material");
+        report(findings, material.field("power"), "must be >= 0" + got(lighting.material.power));
+    }
+}
+
+}  // namespace
+
+void check_pass_state(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {
+    check_targets(frame, pass, place, findings);
+    check_clear_and_depth(pass, place, findings);
+
+    const Place state      = place.field("state");
+    const Target* drawn_to = find_target(frame, pass.color ? pass.color : pass.depth);
+    if (drawn_to != nullptr) {
+        check_part(pass.state.viewport, *drawn_to, state.field("viewport"), findings);
+        check_part(pass.state.scissor, *drawn_to, state.field("scissor"), findings);
+    }
+    check_stages(pass.state, state, findings);
+    check_lighting(pass.state.lighting, state.field("lighting"), findings);
+    const FogState& fog = pass.state.fog;
+    if (fog.mode == FogMode::Linear && fog.start == fog.end) {
+        const Place fog_place = state.field("fog");
+        report(findings, fog_place.field("end"), "must differ from start for LINEAR fog" + got(fog.end));
+    }
+}
+
+}  // namespace pipeline
