@@ -36,13 +36,17 @@ struct Daylight {
 // composites. Article: ShaderX5 5.3 to the letter: scene copy, alpha multiplied by the fractal box, full composite.
 enum class Mode : std::uint8_t { Skirt, Article };
 
-// A seamless fractal over the six faces of a box.
+// fBm for cumulus, billow (its folds) for cauliflower tops.
+enum class Noise : std::uint8_t { Fbm, Billow };
+
+// A seamless fractal over the six faces of the box around a cloud.
 struct Fractal {
     int face_size      = 256;  // texels; a power of two
     int octaves        = 5;
     float gain         = 0.5f;  // amplitude of an octave over that of the one before
-    float cycles       = 5.0f;  // of the first octave, along a face
+    float cycles       = 5.0f;  // of the first octave, along the box's longest edge
     std::uint32_t seed = 1;
+    Noise noise        = Noise::Fbm;
 };
 
 struct Cloud {
@@ -54,10 +58,12 @@ struct Cloud {
     float opacity    = 1.0f;   // constant translucency of the composite
     float absorption = 1.0f;   // of sunlight on its way through; 1 leaves a quarter behind a core's diameter
     Fractal fractal;
+    float lumpiness = 0.06f;  // greatest displacement of a particle's surface, over its radius
 };
 
-// Where and through which camera the scene is seen. near_m: distance of the near plane; focal_px: pixels per unit of
-// tangent, vertically.
+// The camera of the picture. eye: where it stands in the world. view, projection: those of the frame's camera, the
+// projection a perspective one, with w growing in metres ahead of the eye. width, height: of the back buffer, in
+// pixels. near_m: distance of the near plane.
 struct View {
     Vec3 eye        = Vec3(0.0f);
     Mat4 view       = Mat4(1.0f);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Image files, through OpenImageIO. That library takes 0.3 s to load, so it lives in a module (image_module.cpp) which the
-// first call here loads. Errors are std::runtime_error with the path and the reason. Writing is all or nothing: the file is
-// made beside its place and renamed, so a failure leaves an older file as it was.
+// Image files, through OpenImageIO. That library takes 0.3 s to load, so it lives in a module (image_module.cpp) which
+// the first call here loads. Errors are std::runtime_error with the path and the reason. Writing is all or nothing:
+// the file is made beside its place and renamed, so a failure leaves an older file as it was.
 #pragma once
 
 #include <cstdint>
@@ -24,5 +24,8 @@ HeightMap read_height_map(const std::string& path);
 
 enum class Channels : std::uint8_t { Rgb, Rgba };
 void write_image(const std::string& path, const pipeline::ColorImage& image, Channels channels);
+
+// Throws what write_image would, as far as that can be told before there is an image: bad directory, unknown extension.
+void check_image_output(const std::string& path);
 
 }  // namespace demo

@@ -41,6 +41,7 @@ FillPlan plan_fill(const FillState& state, bool has_color, int depth_bits) {
     plan.interpolate     = interpolate_kernels();
     plan.combine         = combine_kernels();
     plan.test            = test_kernels();
+    plan.pack            = pack_kernel();
     plan.blend_constants = {state.source_factor, state.dest_factor, state.write_mask};
     plan.blend           = blend_kernel(plan.blend_constants);
     for (int i = 0; i < kMaxTextures; ++i) {

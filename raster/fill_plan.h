@@ -29,6 +29,7 @@ struct FillPlan {
     InterpolateKernels interpolate;
     std::array<SamplePlan, kMaxTextures> samplers;
     std::array<SampleKernel, kMaxTextures> sample{}, sample_rectangle{};
+    PackKernel pack = nullptr;
     CombineKernels combine;
     TestKernels test;
     BlendConstants blend_constants;

@@ -6,101 +6,130 @@
 namespace raster {
 namespace {
 
-void interpolate_colors(const Command& command, FragmentBatch& batch) {
-    const FillPlan& plan = *command.plan;
-    if (command.rectangle) {
-        if (plan.needs.diffuse) plan.interpolate.constant(command.rectangle->color, batch, batch.diffuse);
-        if (plan.needs.specular) plan.interpolate.constant(0xff000000, batch, batch.specular);
-        return;
+class TileFill {
+  public:
+    TileFill(Image* color, Image* depth) : color_(color), depth_(depth) {}
+
+    void fill(const Command& command, const Rect& tile) {
+        const CoverKernels& cover = command.plan->cover;
+        if (command.rectangle) {
+            const Rect bounds = intersect(command.rectangle->bounds, tile);
+            for (int y = bounds.y0; y < bounds.y1;) {
+                alive_ = 0;
+                y      = cover.rectangle(bounds, y, batch_, alive_);
+                shade(command);
+            }
+        } else {
+            TileEdges edges;
+            if (!enter_tile(*command.triangle, tile, edges)) return;
+            for (int y = edges.bounds.y0; y < edges.bounds.y1;) {
+                alive_ = 0;
+                y      = cover.triangle(edges, y, batch_, alive_);
+                if (alive_ > 0) shade(command);
+            }
+        }
     }
-    const SetUpTriangle& triangle = *command.triangle;
-    const auto make               = [&](bool varies, const std::array<Plane, 4>& planes, std::uint32_t flat,
-                          BlockRows<std::uint32_t>& out) {
-        varies ? plan.interpolate.color(planes, batch, out) : plan.interpolate.constant(flat, batch, out);
-    };
-    if (plan.needs.diffuse) make(triangle.diffuse_varies, triangle.diffuse, triangle.flat_diffuse, batch.diffuse);
-    if (plan.needs.specular) make(triangle.specular_varies, triangle.specular, triangle.flat_specular, batch.specular);
-}
+    const FillCounts& counts() const { return counts_; }
 
-void sample(const Command& command, int i, FragmentBatch& batch) {
-    const FillPlan& plan = *command.plan;
-    if (plan.needs.texture[i]) {
-        const int lod_max = plan.samplers[i].lod_max();
-        command.rectangle ? plan.interpolate.rectangle_uv(command.rectangle->textures[i], lod_max, batch)
-                          : plan.interpolate.triangle_uv(command.triangle->textures[i], lod_max, batch);
+  private:
+    // Everything after coverage, for one batch of one primitive. alive_: its fragments that have passed all tests so far.
+    void shade(const Command& command) {
+        const FillPlan& plan = *command.plan;
+        counts_.covered += alive_;
+        counts_.texels += alive_ * plan.texels_per_fragment;
+        counts_.texel_bytes += alive_ * plan.texel_bytes_per_fragment;
+
+        if (plan.tests_first) {
+            counts_.alpha_passed += alive_;
+            if (plan.uses_depth) test_depth(command);
+            if (plan.writes_color && alive_ > 0) make_color(command);
+        } else {
+            make_color(command);
+            alive_ = plan.test.alpha(plan.state.alpha_func, plan.state.alpha_reference, batch_);
+            counts_.alpha_passed += alive_;
+            if (plan.uses_depth) test_depth(command);
+        }
+        counts_.depth_passed += alive_;
+        if (plan.writes_color) plan.blend(plan.blend_constants, *color_, batch_);
     }
-    const SampleKernel kernel = command.rectangle ? plan.sample_rectangle[i] : plan.sample[i];
-    kernel(plan.samplers[i], batch, batch.texel[i]);
-}
 
-void make_color(const Command& command, FragmentBatch& batch) {
-    const FillPlan& plan = *command.plan;
-    interpolate_colors(command, batch);
-    if (plan.state.stage_count == 0) std::copy_n(batch.diffuse[0], batch.count * kBlockWidth, batch.color[0]);
-    for (int i = 0; i < plan.state.stage_count; ++i) {
-        if (plan.sample[i]) sample(command, i, batch);
-        plan.combine.stage(plan.state.stages[i], i, plan.state.constant, batch);
+    void test_depth(const Command& command) {
+        const FillPlan& plan = *command.plan;
+        if (command.rectangle)
+            plan.interpolate.constant(to_depth_format(command.rectangle->depth, plan.depth_bits), batch_, batch_.depth);
+        else
+            plan.interpolate.depth(*command.triangle, plan.depth_bits, batch_);
+        alive_ = plan.test.depth(plan.state.depth_func, plan.state.depth_write, *depth_, batch_);
     }
-    if (plan.state.add_specular) plan.combine.add_specular(batch);
-    if (plan.state.fog) plan.combine.fog(plan.state.fog_color, batch);
-}
 
-void test_depth(const Command& command, Image& target, FragmentBatch& batch, FillCounts& counts) {
-    const FillPlan& plan = *command.plan;
-    if (command.rectangle)
-        plan.interpolate.constant(to_depth_format(command.rectangle->depth, plan.depth_bits), batch, batch.depth);
-    else
-        plan.interpolate.depth(*command.triangle, plan.depth_bits, batch);
-    counts.depth_passed += plan.test.depth(plan.state.depth_func, plan.state.depth_write, target, batch);
-}
-
-// Everything after coverage, for one batch of one primitive.
-void shade(const Command& command, std::uint64_t covered, Image* color, Image* depth, FragmentBatch& batch,
-           FillCounts& counts) {
-    const FillPlan& plan = *command.plan;
-    counts.covered += covered;
-    counts.texels += covered * plan.texels_per_fragment;
-    counts.texel_bytes += covered * plan.texel_bytes_per_fragment;
-
-    if (plan.tests_first) {
-        counts.alpha_passed += covered;
-        if (plan.uses_depth) test_depth(command, *depth, batch, counts);
-        if (plan.writes_color && batch.count > 0) make_color(command, batch);
-    } else {
-        make_color(command, batch);
-        covered = plan.test.alpha(plan.state.alpha_func, plan.state.alpha_reference, batch);
-        counts.alpha_passed += covered;
-        if (plan.uses_depth) test_depth(command, *depth, batch, counts);
+    void make_color(const Command& command) {
+        const FillPlan& plan = *command.plan;
+        if (command.rectangle)
+            color_rectangle(plan, *command.rectangle);
+        else
+            color_triangle(plan, *command.triangle);
+        if (plan.state.stage_count == 0) std::copy_n(batch_.diffuse[0], batch_.count * kBlockWidth, batch_.color[0]);
+        for (int i = 0; i < plan.state.stage_count; ++i) {
+            if (plan.sample[i]) sample(command, i);
+            plan.combine.stage(plan.state.stages[i], i, plan.state.constant, batch_);
+        }
+        if (plan.state.add_specular) plan.combine.add_specular(batch_);
+        if (plan.state.fog) plan.combine.fog(plan.state.fog_color, batch_);
     }
-    if (!plan.uses_depth) counts.depth_passed += covered;
-    if (plan.writes_color) plan.blend(plan.blend_constants, *color, batch);
-}
+
+    void color_rectangle(const FillPlan& plan, const SetUpRectangle& rectangle) {
+        if (plan.needs.diffuse) plan.interpolate.constant(rectangle.color, batch_, batch_.diffuse);
+        if (plan.needs.specular) plan.interpolate.constant(Vertex{}.specular, batch_, batch_.specular);
+    }
+
+    void color_triangle(const FillPlan& plan, const SetUpTriangle& triangle) {
+        const auto make = [&](bool varies, const std::array<Plane, 4>& planes, std::uint32_t flat,
+                              BlockRows<std::uint32_t>& out) {
+            varies ? plan.interpolate.color(planes, batch_, out) : plan.interpolate.constant(flat, batch_, out);
+        };
+        if (plan.needs.diffuse) make(triangle.diffuse_varies, triangle.diffuse, triangle.flat_diffuse, batch_.diffuse);
+        if (plan.needs.specular)
+            make(triangle.specular_varies, triangle.specular, triangle.flat_specular, batch_.specular);
+    }
+
+    void sample(const Command& command, int i) {
+        const FillPlan& plan      = *command.plan;
+        const SamplePlan& sampler = plan.samplers[i];
+        const auto everywhere     = [&](SampleKernel kernel) {
+            kernel(sampler, batch_.points, batch_.mask, batch_.count, batch_.texel[i]);
+        };
+        if (command.rectangle) {
+            if (plan.needs.texture[i])
+                plan.interpolate.rectangle_uv(command.rectangle->textures[i], sampler.lod_max(), batch_);
+            return everywhere(plan.sample_rectangle[i]);
+        }
+        if (plan.needs.texture[i])
+            plan.interpolate.triangle_uv(command.triangle->textures[i], sampler.lod_max(), batch_);
+        const auto lanes = static_cast<std::uint64_t>(batch_.count) * kBlockWidth;
+        if (4 * alive_ > 3 * lanes) return everywhere(plan.sample[i]);
+
+        plan.pack(batch_, packed_);
+        plan.sample[i](sampler, packed_.points, packed_.mask, packed_.blocks(), packed_.texel);
+        std::uint32_t* const texels      = batch_.texel[i][0];
+        const std::uint32_t* const index = packed_.index[0];
+        const std::uint32_t* const read  = packed_.texel[0];
+        for (int lane = 0; lane < packed_.lanes; ++lane) texels[index[lane]] = read[lane];
+    }
+
+    Image* color_;
+    Image* depth_;
+    FragmentBatch batch_{};
+    PackedPoints packed_{};
+    std::uint64_t alive_ = 0;
+    FillCounts counts_;
+};
 
 }  // namespace
 
 FillCounts fill_tile(std::span<const Command* const> commands, const Rect& tile, Image* color, Image* depth) {
-    thread_local FragmentBatch batch{};
-    FillCounts counts;
-    for (const Command* command : commands) {
-        const CoverKernels& cover = command->plan->cover;
-        if (command->rectangle) {
-            const Rect bounds = intersect(command->rectangle->bounds, tile);
-            for (int y = bounds.y0; y < bounds.y1;) {
-                std::uint64_t covered = 0;
-                y                     = cover.rectangle(bounds, y, batch, covered);
-                shade(*command, covered, color, depth, batch, counts);
-            }
-        } else {
-            TileEdges edges;
-            if (!enter_tile(*command->triangle, tile, edges)) continue;
-            for (int y = edges.bounds.y0; y < edges.bounds.y1;) {
-                std::uint64_t covered = 0;
-                y                     = cover.triangle(edges, y, batch, covered);
-                if (covered > 0) shade(*command, covered, color, depth, batch, counts);
-            }
-        }
-    }
-    return counts;
+    TileFill fill(color, depth);
+    for (const Command* command : commands) fill.fill(*command, tile);
+    return fill.counts();
 }
 
 }  // namespace raster

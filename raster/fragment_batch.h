@@ -16,17 +16,32 @@ static_assert(kBatchBlocks >= kTileWidth / kBlockWidth, "a batch holds at least 
 template <class Lane>
 using BlockRows = Lane[kBatchBlocks][kBlockWidth];
 
+// Where textures are read: u, v in 1/256 texel of level 0, lod in 1/256 level.
+struct SamplePoints {
+    BlockRows<std::int32_t> u, v, lod;
+};
+
 struct alignas(64) FragmentBatch {
     BlockRows<std::uint32_t> mask;   // all ones: alive
     BlockRows<std::uint32_t> depth;  // in units of the target's format
     BlockRows<std::uint32_t> diffuse, specular, color;
     BlockRows<std::uint32_t> texel[kMaxTextures];
-    BlockRows<std::int32_t> u, v;  // 1/256 texel of level 0
-    BlockRows<std::int32_t> lod;   // 1/256 level
+    SamplePoints points;
     struct {
         int x, y;  // pixel of lane 0
     } at[kBatchBlocks];
     int count = 0;  // blocks
+};
+
+// The points of a batch's live lanes, moved together: small triangles leave most lanes of a block dead, and reading a texture is
+// the dearest step. index says which lane of the batch (block * 16 + lane) a point came from.
+struct alignas(64) PackedPoints {
+    SamplePoints points;
+    BlockRows<std::uint32_t> mask;
+    BlockRows<std::uint32_t> texel;
+    BlockRows<std::uint32_t> index;
+    int lanes = 0;
+    int blocks() const { return (lanes + kBlockWidth - 1) / kBlockWidth; }
 };
 
 }  // namespace raster

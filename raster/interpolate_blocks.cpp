@@ -69,8 +69,8 @@ void triangle_uv(const TexturePlanes& planes, int lod_max, FragmentBatch& batch)
             const VF q = hn::ConvertTo(DF(), hn::Max(plane_lanes<kTextureDrop>(planes.q, x, y, lane), seti(1)));
             const VF r = hn::Div(hn::Set(DF(), 1.0f), q);
             const VF u = hn::Mul(s, r), v = hn::Mul(t, r);
-            hn::Store(floor_to_int(hn::Mul(hn::Mul(u, ku), texel)), DI(), batch.u[block] + lane);
-            hn::Store(floor_to_int(hn::Mul(hn::Mul(v, kv), texel)), DI(), batch.v[block] + lane);
+            hn::Store(floor_to_int(hn::Mul(hn::Mul(u, ku), texel)), DI(), batch.points.u[block] + lane);
+            hn::Store(floor_to_int(hn::Mul(hn::Mul(v, kv), texel)), DI(), batch.points.v[block] + lane);
             if (lod_max == 0) continue;
             const auto change = [&](float step, VF coordinate, float step_q, VF scale) HWY_ATTR {
                 const VF difference = hn::Sub(hn::Set(DF(), step), hn::Mul(coordinate, hn::Set(DF(), step_q)));
@@ -81,7 +81,7 @@ void triangle_uv(const TexturePlanes& planes, int lod_max, FragmentBatch& batch)
             const VF rho2 =
                 hn::Max(hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx)), hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy)));
             const VI log = hn::ShiftRight<16>(hn::Sub(hn::BitCast(DI(), rho2), seti(0x3f800000)));
-            hn::Store(hn::Min(hn::Max(log, seti(0)), seti(lod_max)), DI(), batch.lod[block] + lane);
+            hn::Store(hn::Min(hn::Max(log, seti(0)), seti(lod_max)), DI(), batch.points.lod[block] + lane);
         }
     }
 }
@@ -94,9 +94,9 @@ void rectangle_uv(const SetUpRectangle::Texture& texture, int lod_max, FragmentB
         const VI v     = seti(read_plane<kRectangleDrop>(texture.v.at(batch.at[block].y)) >> 8);
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
             const VI u = hn::ShiftRight<8>(hn::Add(start, hn::Mul(lane_index(lane), step)));
-            hn::Store(u, DI(), batch.u[block] + lane);
-            hn::Store(v, DI(), batch.v[block] + lane);
-            hn::Store(lod, DI(), batch.lod[block] + lane);
+            hn::Store(u, DI(), batch.points.u[block] + lane);
+            hn::Store(v, DI(), batch.points.v[block] + lane);
+            hn::Store(lod, DI(), batch.points.lod[block] + lane);
         }
     }
 }

@@ -14,7 +14,7 @@ namespace raster {
 struct InterpolateKernels {
     void (*depth)(const SetUpTriangle& triangle, int depth_bits, FragmentBatch& batch);
     void (*color)(const std::array<Plane, 4>& planes, FragmentBatch& batch, BlockRows<std::uint32_t>& out);
-    // u, v; and lod, limited to lod_max, if that is greater than 0.
+    // batch.points: u, v; and lod, limited to lod_max, if that is greater than 0.
     void (*triangle_uv)(const TexturePlanes& planes, int lod_max, FragmentBatch& batch);
     void (*rectangle_uv)(const SetUpRectangle::Texture& texture, int lod_max, FragmentBatch& batch);
     void (*constant)(std::uint32_t value, FragmentBatch& batch, BlockRows<std::uint32_t>& out);

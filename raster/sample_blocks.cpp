@@ -20,23 +20,25 @@ HWY_INLINE VU mix_levels(VU a, VU b, VU f) {
 }
 
 template <bool kLinear>
-void sample(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
-    for (int block = 0; block < batch.count; ++block)
+void sample(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>&, int count,
+            BlockRows<std::uint32_t>& out) {
+    for (int block = 0; block < count; ++block)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-            const VI u = hn::Load(DI(), batch.u[block] + lane), v = hn::Load(DI(), batch.v[block] + lane);
+            const VI u = hn::Load(DI(), points.u[block] + lane), v = hn::Load(DI(), points.v[block] + lane);
             hn::Store(sample_level<kLinear>(plan, 0, u, v), DU(), out[block] + lane);
         }
 }
 
 // One round for each level that a live lane reads: mostly a single one.
 template <bool kLinear, bool kMixLevels>
-void sample_mips(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
+void sample_mips(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>& mask, int count,
+                 BlockRows<std::uint32_t>& out) {
     const int last = plan.level_count - 1;
-    for (int block = 0; block < batch.count; ++block)
+    for (int block = 0; block < count; ++block)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-            const VI u = hn::Load(DI(), batch.u[block] + lane), v = hn::Load(DI(), batch.v[block] + lane);
-            const VI lod      = hn::Load(DI(), batch.lod[block] + lane);
-            const VI alive    = hn::BitCast(DI(), hn::Load(DU(), batch.mask[block] + lane));
+            const VI u = hn::Load(DI(), points.u[block] + lane), v = hn::Load(DI(), points.v[block] + lane);
+            const VI lod      = hn::Load(DI(), points.lod[block] + lane);
+            const VI alive    = hn::BitCast(DI(), hn::Load(DU(), mask[block] + lane));
             const VI level    = hn::ShiftRight<8>(kMixLevels ? lod : hn::Add(lod, seti(128)));
             const auto live   = hn::MaskFromVec(alive);
             const int lowest  = hn::GetLane(hn::MinOfLanes(DI(), hn::IfThenElse(live, level, seti(last))));
@@ -54,10 +56,41 @@ void sample_mips(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<s
         }
 }
 
-void sample_white(const SamplePlan&, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
-    for (int block = 0; block < batch.count; ++block)
+void sample_white(const SamplePlan&, const SamplePoints&, const BlockRows<std::uint32_t>&, int count,
+                  BlockRows<std::uint32_t>& out) {
+    for (int block = 0; block < count; ++block)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count())
             hn::Store(set(0xffffffff), DU(), out[block] + lane);
+}
+
+void pack_points(const FragmentBatch& batch, PackedPoints& out) {
+    std::uint32_t* const index = out.index[0];
+    int lanes                  = 0;
+#if HWY_TARGET == HWY_SCALAR
+    for (int i = 0; i < batch.count * kBlockWidth; ++i)
+        if (batch.mask[0][i] != 0) index[lanes++] = static_cast<std::uint32_t>(i);
+#else
+    // A store of a whole vector may write past the live lanes, but never past the lane it was read from plus its width.
+    for (int i = 0; i < batch.count * kBlockWidth; i += lane_count()) {
+        const auto live = hn::MaskFromVec(hn::Load(DU(), batch.mask[0] + i));
+        hn::StoreU(hn::Compress(hn::BitCast(DU(), lane_index(i)), live), DU(), index + lanes);
+        lanes += static_cast<int>(hn::CountTrue(DU(), live));
+    }
+#endif
+    out.lanes = lanes;
+    for (int i = lanes; i < out.blocks() * kBlockWidth; ++i) index[i] = 0;
+    for (int i = 0; i < out.blocks() * kBlockWidth; i += lane_count()) {
+        const VI from = hn::BitCast(DI(), hn::Load(DU(), index + i));
+        hn::Store(hn::GatherIndex(DI(), batch.points.u[0], from), DI(), out.points.u[0] + i);
+        hn::Store(hn::GatherIndex(DI(), batch.points.v[0], from), DI(), out.points.v[0] + i);
+        hn::Store(hn::GatherIndex(DI(), batch.points.lod[0], from), DI(), out.points.lod[0] + i);
+        const auto used = hn::Lt(lane_index(i), seti(lanes));
+        hn::Store(hn::BitCast(DU(), hn::VecFromMask(DI(), used)), DU(), out.mask[0] + i);
+    }
+}
+
+PackKernel get_pack_kernel() {
+    return &pack_points;
 }
 
 SampleKernel get_sample_kernel(const SamplePlan& plan) {
@@ -77,6 +110,11 @@ namespace raster {
 HWY_EXPORT(get_sample_kernel);
 SampleKernel sample_kernel(const SamplePlan& plan) {
     return HWY_DYNAMIC_DISPATCH(get_sample_kernel)(plan);
+}
+
+HWY_EXPORT(get_pack_kernel);
+PackKernel pack_kernel() {
+    return HWY_DYNAMIC_DISPATCH(get_pack_kernel)();
 }
 
 SamplePlan plan_sampler(const Sampler& sampler) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kernel: batch.u, v (and lod) to texels, by the rules of raster/sampling_rules.h.
+// Kernels: points to texels, by the rules of raster/sampling_rules.h.
 #pragma once
 
 #include <array>
@@ -34,10 +34,15 @@ struct SamplePlan {
 };
 SamplePlan plan_sampler(const Sampler& sampler);
 
-using SampleKernel = void (*)(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out);
+// The first `count` blocks of points. Lanes that are dead in `mask` may get any texel.
+using SampleKernel = void (*)(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>& mask,
+                              int count, BlockRows<std::uint32_t>& out);
 
 // This processor's kernels: for anything, and for rectangles, where v is the same along a block and u advances evenly.
 SampleKernel sample_kernel(const SamplePlan& plan);
 SampleKernel sample_rectangle_kernel(const SamplePlan& plan);
+
+using PackKernel = void (*)(const FragmentBatch& batch, PackedPoints& out);
+PackKernel pack_kernel();
 
 }  // namespace raster

@@ -108,11 +108,12 @@ HWY_INLINE VU weigh_any(const Quad& quad, VI u, VI v) {
     return pack({weigh_column(top.lo, bottom.lo, fv), weigh_column(top.hi, bottom.hi, fv)});
 }
 
-void sample_rectangle_linear(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
-    for (int block = 0; block < batch.count; ++block)
+void sample_rectangle_linear(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>&,
+                             int count, BlockRows<std::uint32_t>& out) {
+    for (int block = 0; block < count; ++block)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-            const std::int32_t* const at = batch.u[block] + lane;
-            const std::int32_t v_there   = batch.v[block][lane];
+            const std::int32_t* const at = points.u[block] + lane;
+            const std::int32_t v_there   = points.v[block][lane];
             const VI u = hn::Load(DI(), at), v = seti(v_there);
             Quad quad;
             VU texel;
@@ -133,17 +134,18 @@ void sample_rectangle_linear(const SamplePlan& plan, const FragmentBatch& batch,
         }
 }
 
-void sample_rectangle_point(const SamplePlan& plan, const FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
+void sample_rectangle_point(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>&,
+                            int count, BlockRows<std::uint32_t>& out) {
     const SamplePlan::Level& level = plan.levels[0];
-    for (int block = 0; block < batch.count; ++block)
+    for (int block = 0; block < count; ++block)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-            const std::int32_t* const at = batch.u[block] + lane;
-            const int i = at[0] >> 8, j = batch.v[block][lane] >> 8, last_lane = lane_count() - 1;
+            const std::int32_t* const at = points.u[block] + lane;
+            const int i = at[0] >> 8, j = points.v[block][lane] >> 8, last_lane = lane_count() - 1;
             const bool contiguous = at[last_lane] - at[0] == 256 * last_lane && i >= 0 && i + last_lane < level.width &&
                                     j >= 0 && j < level.height;
             const VU texel =
                 contiguous ? hn::LoadU(DU(), plan.texels + static_cast<std::ptrdiff_t>(j) * level.stride + i)
-                           : sample_level<false>(plan, 0, hn::Load(DI(), at), hn::Load(DI(), batch.v[block] + lane));
+                           : sample_level<false>(plan, 0, hn::Load(DI(), at), hn::Load(DI(), points.v[block] + lane));
             hn::Store(texel, DU(), out[block] + lane);
         }
 }

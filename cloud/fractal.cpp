@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "cloud/fractal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cloud/noise.h"
+
+namespace cloud {
+namespace {
+
+using LatticePoint = std::array<int, 3>;
+
+// The point of a cube of size^3 points that a texel of a face lies on; border texels share theirs with other faces.
+LatticePoint lattice_point(int face, int column, int row, int size) {
+    const int axis = face / 2;
+    LatticePoint point{};
+    point[static_cast<std::size_t>(axis)]           = face % 2 == 0 ? size - 1 : 0;
+    point[static_cast<std::size_t>((axis + 1) % 3)] = column;
+    point[static_cast<std::size_t>((axis + 2) % 3)] = row;
+    return point;
+}
+
+// Raw noise of all faces, one after the other.
+std::vector<float> evaluate_noise(const Fractal& fractal, Vec3 box_size) {
+    const int size      = fractal.face_size;
+    const float longest = std::max({box_size.x, box_size.y, box_size.z, 1e-6f});
+    const Vec3 scale    = box_size / longest * (fractal.cycles / static_cast<float>(std::max(size - 1, 1)));
+    std::vector<float> values;
+    values.reserve(static_cast<std::size_t>(kBoxFaces) * size * size);
+    for (int face = 0; face < kBoxFaces; ++face)
+        for (int row = 0; row < size; ++row)
+            for (int column = 0; column < size; ++column) {
+                const LatticePoint point = lattice_point(face, column, row, size);
+                const Vec3 p             = Vec3(point[0], point[1], point[2]) * scale;
+                values.push_back(fractal.noise == Noise::Billow ? billow(p, fractal.octaves, fractal.gain, fractal.seed)
+                                                                : fbm(p, fractal.octaves, fractal.gain, fractal.seed));
+            }
+    return values;
+}
+
+// Replaces each value by the share of values below it: 0..1, evenly spread. Equal values stay equal.
+void equalize(std::vector<float>& values) {
+    constexpr std::size_t kBins = 4096;
+    const auto [low, high]      = std::minmax_element(values.begin(), values.end());
+    const float lowest = *low, range = *high - *low;
+    if (!(range > 0.0f)) {
+        std::fill(values.begin(), values.end(), 0.5f);
+        return;
+    }
+    const auto bin_of = [&](float v) {
+        return std::min(static_cast<std::size_t>((v - lowest) / range * static_cast<float>(kBins)), kBins - 1);
+    };
+    std::vector<double> share(kBins, 0.0);
+    for (float v : values) share[bin_of(v)] += 1.0;
+    double below = 0.0;
+    for (double& bin : share) {
+        const double in_bin = bin;
+        bin                 = (below + 0.5 * in_bin) / static_cast<double>(values.size());
+        below += in_bin;
+    }
+    for (float& v : values) v = static_cast<float>(share[bin_of(v)]);
+}
+
+std::uint8_t encode(float n, FractalCode code) {
+    if (code == FractalCode::Half) return static_cast<std::uint8_t>(std::min(n * 128.0f, 127.0f));
+    return static_cast<std::uint8_t>(std::min(0.6f + 0.8f * n, 1.0f) * 255.0f + 0.5f);
+}
+
+std::vector<std::uint8_t> halve(const std::vector<std::uint8_t>& fine, int fine_size) {
+    const int size = fine_size / 2;
+    std::vector<std::uint8_t> coarse;
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < size; ++column) {
+            const std::size_t at = static_cast<std::size_t>(2 * row) * fine_size + 2 * column;
+            const int sum        = fine[at] + fine[at + 1] + fine[at + fine_size] + fine[at + fine_size + 1];
+            coarse.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+        }
+    return coarse;
+}
+
+// Gives all texels that lie on one point of the lattice their mean.
+void join_borders(FractalFaces& faces, int size) {
+    struct Shared {
+        int sum = 0, count = 0;
+    };
+    std::map<LatticePoint, Shared> shared;
+    const auto for_each_border_texel = [&](auto&& visit) {
+        for (int face = 0; face < kBoxFaces; ++face)
+            for (int row = 0; row < size; ++row) {
+                const bool whole_row = row == 0 || row == size - 1;
+                for (int column = 0; column < size; column += whole_row ? 1 : std::max(size - 1, 1))
+                    visit(shared[lattice_point(face, column, row, size)],
+                          faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(row) * size + column]);
+            }
+    };
+    for_each_border_texel([](Shared& point, std::uint8_t texel) {
+        point.sum += texel;
+        ++point.count;
+    });
+    for_each_border_texel([](Shared& point, std::uint8_t& texel) {
+        texel = static_cast<std::uint8_t>((2 * point.sum + point.count) / (2 * point.count));
+    });
+}
+
+}  // namespace
+
+int fractal_levels(int face_size) {
+    int levels = 1;
+    for (; face_size > 1; face_size /= 2) ++levels;
+    return levels;
+}
+
+FractalFaces make_fractal(const Fractal& fractal, Vec3 box_size, FractalCode code) {
+    std::vector<float> values = evaluate_noise(fractal, box_size);
+    equalize(values);
+    const std::size_t texels = static_cast<std::size_t>(fractal.face_size) * fractal.face_size;
+    FractalFaces level, all;
+    for (std::size_t face = 0; face < level.size(); ++face)
+        for (std::size_t i = 0; i < texels; ++i) level[face].push_back(encode(values[face * texels + i], code));
+    for (int size = fractal.face_size;; size /= 2) {
+        for (std::size_t face = 0; face < level.size(); ++face)
+            all[face].insert(all[face].end(), level[face].begin(), level[face].end());
+        if (size <= 1) return all;
+        for (std::vector<std::uint8_t>& texels_of_face : level) texels_of_face = halve(texels_of_face, size);
+        join_borders(level, size / 2);
+    }
+}
+
+}  // namespace cloud

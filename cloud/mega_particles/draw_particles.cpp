@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "cloud/mega_particles/draw_particles.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "cloud/particle_mesh.h"
+
+namespace cloud {
+
+using namespace pipeline;
+
+namespace {
+
+constexpr float kSkirtSigmas = 2.5f;
+
+float distance_m(const CloudDraw& draw, std::size_t particle) {
+    return glm::length(draw.baked.cloud.particles[particle].center - draw.view.eye);
+}
+
+// By the distance of the nearest point; equal ones in the cloud's order.
+std::vector<std::size_t> front_to_back(const CloudDraw& draw) {
+    const std::vector<Particle>& particles = draw.baked.cloud.particles;
+    std::vector<float> nearest;
+    for (std::size_t i = 0; i < particles.size(); ++i) nearest.push_back(distance_m(draw, i) - particles[i].radius);
+    std::vector<std::size_t> order(particles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearest[a] < nearest[b]; });
+    return order;
+}
+
+int level_of(const CloudDraw& draw, std::size_t particle) {
+    const float radius    = draw.baked.cloud.particles[particle].radius;
+    const float clearance = std::max(distance_m(draw, particle) - radius, draw.view.near_m);
+    return choose_level(focal_px(draw.view) * radius / clearance, sigma_px(draw.blur));
+}
+
+// Appends the spheres, in the given order, as one draw. vertex_of(particle, vertex) makes the vertices.
+template <class VertexOf>
+DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_t>& order, int coarser,
+                             VertexOf&& vertex_of) {
+    Frame& frame = draw.frame;
+    DrawTriangles triangles;
+    triangles.first_index = static_cast<std::uint32_t>(frame.indices.size());
+    for (std::size_t particle : order) {
+        const int level       = std::max(level_of(draw, particle) - coarser, 0);
+        const auto first      = static_cast<std::uint32_t>(frame.vertices.size());
+        const std::size_t lit = particle * icosphere_vertices(kFinestLevel);
+        for (std::uint32_t v = 0; v < icosphere_vertices(level); ++v)
+            frame.vertices.push_back(vertex_of(draw.baked.cloud.particles[particle], draw.baked.lit.vertices[lit + v]));
+        for (std::uint32_t index : icosphere().indices[static_cast<std::size_t>(level)])
+            frame.indices.push_back(first + index);
+    }
+    triangles.index_count = static_cast<std::uint32_t>(frame.indices.size()) - triangles.first_index;
+    return triangles;
+}
+
+// Whether the near plane may lie in one of the spheres: then their insides must be drawn.
+bool inside_a_particle(const CloudDraw& draw) {
+    const Cloud& cloud = draw.baked.cloud;
+    return std::any_of(cloud.particles.begin(), cloud.particles.end(), [&](const Particle& particle) {
+        const Sphere sphere = bounding_sphere(particle, cloud);
+        return glm::length(sphere.center - draw.view.eye) < sphere.radius + near_reach_m(draw.view);
+    });
+}
+
+Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, PixelRect area) {
+    Pass& pass      = append_pass(draw, what, draw.targets.particles, area);
+    pass.depth      = draw.scene.depth;
+    pass.camera     = draw.scene.camera;
+    pass.state.fog  = draw.scene.fog;
+    pass.state.cull = CullMode::Clockwise;
+    return pass;
+}
+
+}  // namespace
+
+void append_particles(const CloudDraw& draw) {
+    const bool article = draw.baked.cloud.mode == Mode::Article;
+    Pass& pass         = append_sphere_pass(draw, "mega-particles, alpha 1", draw.bounds);
+    pass.state.depth   = {.func = CompareFunc::LessEqual, .write = true};
+    if (inside_a_particle(draw)) pass.state.cull = CullMode::None;
+    if (article) pass.state.lighting = daylight_state(draw.baked.daylight);
+    pass.draws.push_back(
+        append_spheres(draw, front_to_back(draw), 0, [&](const Particle& particle, const LitVertex& lit) {
+            const Vec3 light = article ? Vec3(lit.occlusion) : lit.light;
+            return Vertex{.position = lit.position,
+                          .normal   = lit.normal,
+                          .diffuse  = to_argb(light * particle.color, particle.alpha)};
+        }));
+}
+
+void append_skirt(const CloudDraw& draw) {
+    Pass& pass                             = append_sphere_pass(draw, "skirt: inflated particles, alpha 0", draw.halo);
+    pass.clear.color                       = to_argb(draw.baked.lit.mean_color, 0.0f);
+    pass.state.depth                       = {.func = CompareFunc::LessEqual, .write = false};
+    std::vector<std::size_t> back_to_front = front_to_back(draw);
+    std::reverse(back_to_front.begin(), back_to_front.end());
+    const float sigma_per_metre = sigma_px(draw.blur) / focal_px(draw.view);
+    // One level coarser: of the skirt only colour is seen, and that blurred.
+    pass.draws.push_back(append_spheres(draw, back_to_front, 1, [&](const Particle& particle, const LitVertex& lit) {
+        const float inflation = kSkirtSigmas * sigma_per_metre * glm::length(particle.center - draw.view.eye);
+        return Vertex{.position = lit.position + lit.normal * inflation,
+                      .normal   = lit.normal,
+                      .diffuse  = to_argb(lit.light * particle.color, 0.0f)};
+    }));
+}
+
+LightingState daylight_state(const Daylight& daylight) {
+    LightingState state;
+    state.enabled        = true;
+    state.diffuse_source = state.ambient_source = ColorSource::Color1;
+    state.ambient                               = daylight.sun * 0.5f + (daylight.sky + daylight.bounce) * 0.5f;
+    const auto add_pair                         = [&](Vec3 to_light, Vec3 color) {
+        for (float side : {1.0f, -1.0f})
+            state.lights.push_back({.diffuse = color * side, .direction = to_light * -side});
+    };
+    add_pair(daylight.to_sun, daylight.sun * 0.5f);
+    add_pair(Vec3(0.0f, 1.0f, 0.0f), (daylight.sky - daylight.bounce) * 0.5f);
+    return state;
+}
+
+}  // namespace cloud

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "cloud/mega_particles/mega_particles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "cloud/mega_particles/blur.h"
+#include "cloud/mega_particles/cloud_draw.h"
+#include "cloud/mega_particles/composite.h"
+#include "cloud/mega_particles/copy_scene.h"
+#include "cloud/mega_particles/draw_particles.h"
+#include "cloud/mega_particles/fractal_box.h"
+
+namespace cloud {
+
+using namespace pipeline;
+
+namespace {
+
+// The technique. `particles` is a colour target beside the back buffer; both use the scene's depth buffer.
+void append_cloud(const CloudDraw& draw) {
+    const CloudTargets& targets = draw.targets;
+    if (draw.baked.cloud.mode == Mode::Article) {
+        append_scene_copy(draw);       // no cloud yet: the scene's colour, so that the blur adds nothing foreign
+        append_particles(draw);        // the cloud's basic shape: few large spheres, lit and hidden like any object
+        append_blur(draw);             // colour and alpha: hides the spheres' edges, makes the rim soft
+        append_multiplying_box(draw);  // alpha only: detail, fixed to the cloud and not to the screen
+        append_composite(draw, targets.particles);
+        return;
+    }
+    append_skirt(draw);  // the cloud's own colour around it, so that the blur adds nothing foreign
+    append_particles(draw);
+    append_blur(draw);
+    if (draw.baked.cloud.opacity >= 1.0f) {
+        append_eroding_box(draw, draw.scene.back_buffer, kAlphaOver);  // detail and composite at once
+    } else {
+        append_eroding_box(draw, targets.eroded, kReplace);  // both texture stages are taken; opacity needs a third
+        append_composite(draw, targets.eroded);
+    }
+}
+
+float nearest_m(const BakedCloud& baked, Vec3 eye) {
+    float nearest = 1e30f;
+    for (const Particle& particle : baked.cloud.particles)
+        nearest = std::min(nearest, glm::length(particle.center - eye) - particle.radius);
+    return nearest;
+}
+
+// The blur is given in metres; it is projected at the middle of the cloud.
+float wanted_sigma_px(const BakedCloud& baked, const View& view) {
+    const float distance = glm::length((baked.lit.low + baked.lit.high) * 0.5f - view.eye);
+    return baked.cloud.blur_m * focal_px(view) / std::max(distance, view.near_m);
+}
+
+TargetId append_target(Frame& frame, const std::string& name, int width, int height) {
+    frame.targets.push_back({.name = name, .format = TargetFormat::A8R8G8B8, .width = width, .height = height});
+    return {static_cast<std::int32_t>(frame.targets.size()) - 1};
+}
+
+CloudTargets append_targets(Frame& frame, const View& view, int blur_levels, bool needs_eroded) {
+    CloudTargets targets;
+    targets.width     = round_up(view.width, 1 << kMaxBlurLevels);
+    targets.height    = round_up(view.height, 1 << kMaxBlurLevels);
+    targets.particles = append_target(frame, "mega-particles", view.width, view.height);
+    targets.front.resize(1), targets.back.resize(1);
+    for (int level = 1; level <= blur_levels; ++level) {
+        const std::string name = "blur 1/" + std::to_string(1 << level);
+        targets.front.push_back(append_target(frame, name, targets.width >> level, targets.height >> level));
+        targets.back.push_back(append_target(frame, name + " back", targets.width >> level, targets.height >> level));
+    }
+    if (needs_eroded) targets.eroded = append_target(frame, "eroded", view.width, view.height);
+    return targets;
+}
+
+}  // namespace
+
+void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& view,
+                           std::span<const BakedCloud> clouds) {
+    struct Seen {
+        const BakedCloud* baked;
+        BlurPlan blur;
+        PixelRect bounds;
+        float nearest;
+    };
+    std::vector<Seen> seen;
+    int blur_levels   = 0;
+    bool needs_eroded = false;
+    for (const BakedCloud& baked : clouds) {
+        const BlurPlan blur = plan_blur(baked.cloud.mode, wanted_sigma_px(baked, view));
+        const auto rim      = static_cast<int>(std::ceil(3.0f * sigma_px(blur)));
+        const auto bounds   = screen_bounds(baked.cloud, view, rim, 1 << blur.levels);
+        if (!bounds || baked.cloud.opacity <= 0.0f) continue;
+        seen.push_back({&baked, blur, *bounds, nearest_m(baked, view.eye)});
+        blur_levels = std::max(blur_levels, blur.levels);
+        needs_eroded |= baked.cloud.mode == Mode::Skirt && baked.cloud.opacity < 1.0f;
+    }
+    if (seen.empty()) return;
+
+    // Each cloud is blurred and composited by itself, over those behind it, so clouds never smear into each other. What
+    // counts is the nearest particle: the centre of a cloud can be farther than another's that it hides.
+    std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.nearest > b.nearest; });
+    const CloudTargets targets = append_targets(frame, view, blur_levels, needs_eroded);
+    for (const Seen& cloud : seen) {
+        const PixelRect halo = grow(cloud.bounds, 1 << cloud.blur.levels, targets.width, targets.height);
+        append_cloud({frame, scene, view, *cloud.baked, targets, cloud.blur, cloud.bounds, halo});
+    }
+}
+
+void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& view, const Daylight& light,
+                           std::span<const Cloud> clouds) {
+    std::vector<BakedCloud> baked;
+    for (const Cloud& cloud : clouds) baked.push_back(bake(cloud, light));
+    append_mega_particles(frame, scene, view, baked);
+}
+
+}  // namespace cloud

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "demo/cli.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "demo/arguments.h"
+#include "demo/command_dump.h"
+#include "demo/command_render.h"
+#include "demo/command_scenes.h"
+#include "demo/standard_output.h"
+
+namespace demo {
+namespace {
+
+// The arguments as they are written; they are read only once the command line as a whole is known to be well formed.
+struct Arguments {
+    std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile;
+};
+
+template <class Read>
+auto optional_value(const std::string& text, bool is_given, Read&& read) {
+    return is_given ? std::optional(read(text)) : std::nullopt;
+}
+
+std::string as_it_is(const std::string& text) {
+    return text;
+}
+
+StatisticsFormat parse_statistics(const std::string& text) {
+    if (text == "text") return StatisticsFormat::Text;
+    if (text == "json") return StatisticsFormat::Json;
+    throw std::runtime_error("--stats " + text + ": expected text or json");
+}
+
+void check_profile(const std::string& name) {
+    if (name != "ideal") throw std::runtime_error("--profile " + name + ": no such profile (there is: ideal)");
+}
+
+// CLI11 gives a flag its value only after '='; "--stats json" is to work as well.
+std::vector<std::string> joined_statistics(int argc, const char* const* argv) {
+    std::vector<std::string> arguments;
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        const bool is_format       = argument == "json" || argument == "text";
+        if (is_format && !arguments.empty() && arguments.back() == "--stats") {
+            arguments.back() += "=" + argument;
+        } else {
+            arguments.push_back(argument);
+        }
+    }
+    return arguments;
+}
+
+CLI::App* add_render(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("render", "Draw a scene and write it as an image file");
+    command->add_option("SCENE", arguments.scene, "A built-in scene, a .toml file or a dumped frame")->required();
+    command->add_option("-o,--output", arguments.output, "The image file; #### stands for the frame's number");
+    command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels");
+    command->add_option("--frames", arguments.frames, "FIRST-LAST frame of the animation");
+    command->add_option("--passes", arguments.passes, "A directory for pictures of each pass; #### as for -o");
+    command->add_option("--threads", arguments.threads, "How many threads draw; 0 is all cores");
+    command->add_option("--simd", arguments.simd, "The instruction set to draw with");
+    command->add_flag("--stats{text}", arguments.statistics, "Print what each pass did: text or json");
+    command->add_option("--profile", arguments.profile, "The chip to draw as: ideal");
+    command->callback([command, &arguments] {
+        const auto is_given = [&](const char* name) { return command->count(name) > 0; };
+        if (is_given("--profile")) check_profile(arguments.profile);
+        RenderOptions options;
+        options.scene            = arguments.scene;
+        options.output           = optional_value(arguments.output, is_given("--output"), &as_it_is);
+        options.size             = optional_value(arguments.size, is_given("--size"), &parse_size);
+        options.frames           = optional_value(arguments.frames, is_given("--frames"), &parse_frames);
+        options.passes_directory = optional_value(arguments.passes, is_given("--passes"), &as_it_is);
+        options.simd_target      = arguments.simd;
+        if (is_given("--threads")) options.threads = parse_number("--threads", arguments.threads, 0, kMaxThreads);
+        if (is_given("--stats")) options.statistics = parse_statistics(arguments.statistics);
+        render(options);
+    });
+    return command;
+}
+
+CLI::App* add_dump(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("dump", "Print one frame of a scene as text, which render takes back");
+    command->add_option("SCENE", arguments.scene, "A built-in scene, a .toml file or a dumped frame")->required();
+    command->add_option("-o,--output", arguments.output, "The file; standard output without");
+    command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels");
+    command->add_option("--frame", arguments.frame, "Which frame of the animation");
+    command->callback([command, &arguments] {
+        const auto is_given = [&](const char* name) { return command->count(name) > 0; };
+        DumpOptions options;
+        options.scene  = arguments.scene;
+        options.output = optional_value(arguments.output, is_given("--output"), &as_it_is);
+        options.size   = optional_value(arguments.size, is_given("--size"), &parse_size);
+        if (is_given("--frame")) options.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        dump(options);
+    });
+    return command;
+}
+
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+void run_command_line(int argc, const char* const* argv) {
+    CLI::App app("Volumetric clouds on a software model of the fixed-function graphics chips of 1999-2001", "nimbus7");
+    Arguments arguments;
+    app.require_subcommand(1);
+    add_render(app, arguments);
+    add_dump(app, arguments);
+    app.add_subcommand("scenes", "List the built-in scenes")->callback(&list_scenes);
+
+    std::vector<std::string> words = joined_statistics(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    const auto is_named = [&](const CLI::App* command) { return command->get_name() == words.back(); };
+    if (!words.empty() && !words.back().starts_with('-') && app.get_subcommands(is_named).empty()) {
+        throw std::runtime_error(words.back() + ": no such command (see nimbus7 --help)");
+    }
+    try {
+        app.parse(words);
+    } catch (const CLI::CallForHelp&) {
+        print(app.help());
+    } catch (const CLI::ParseError& error) {
+        const std::vector<CLI::App*> commands = app.get_subcommands();
+        const std::string command             = commands.empty() ? "" : commands.front()->get_name() + " ";
+        throw std::runtime_error(first_line(error.what()) + " (see nimbus7 " + command + "--help)");
+    }
+}
+
+}  // namespace demo

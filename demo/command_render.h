@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// nimbus7 render: draws frames of a scene, writes them as image files and reports on standard output.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "demo/arguments.h"
+
+namespace demo {
+
+enum class StatisticsFormat : std::uint8_t { None, Text, Json };
+
+struct RenderOptions {
+    std::string scene;
+    std::optional<std::string> output;  // else the scene's name, with .png or .####.png
+    std::optional<Size> size;           // else the scene's
+    std::optional<FrameRange> frames;   // else frame 0 alone
+    std::optional<std::string> passes_directory;
+    int threads = 0;          // 0: all cores
+    std::string simd_target;  // "": the best
+    StatisticsFormat statistics = StatisticsFormat::None;
+};
+
+void render(const RenderOptions& options);
+
+}  // namespace demo

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "demo/pass_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace demo {
+namespace {
+
+using pipeline::PassCounts;
+
+// heading: of the table's column; none for the counts that the table leaves out.
+struct Count {
+    std::string_view name, heading;
+    std::uint64_t PassCounts::*value;
+};
+constexpr std::array kCounts{
+    Count{"vertices", "", &PassCounts::vertices},
+    Count{"triangles_in", "", &PassCounts::triangles_in},
+    Count{"triangles_drawn", "triangles", &PassCounts::triangles_drawn},
+    Count{"rectangles", "rects", &PassCounts::rectangles},
+    Count{"covered", "covered", &PassCounts::covered},
+    Count{"depth_tested", "z-tested", &PassCounts::depth_tested},
+    Count{"depth_passed", "z-passed", &PassCounts::depth_passed},
+    Count{"depth_written", "", &PassCounts::depth_written},
+    Count{"color_written", "written", &PassCounts::color_written},
+    Count{"blended", "blended", &PassCounts::blended},
+    Count{"cleared", "", &PassCounts::cleared},
+    Count{"texels", "texels", &PassCounts::texels},
+    Count{"bytes", "bytes", &PassCounts::bytes},
+};
+static_assert(sizeof(PassCounts) == kCounts.size() * sizeof(std::uint64_t), "a count is not listed");
+
+using Row = std::vector<std::string>;
+
+std::string with_separators(std::uint64_t value) {
+    std::string digits = std::to_string(value);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
+    return digits;
+}
+
+Row row_of(const std::string& number, const PassStatistics& pass) {
+    Row row{number, pass.label};
+    for (const Count& count : kCounts) {
+        if (!count.heading.empty()) row.push_back(with_separators(pass.counts.*count.value));
+    }
+    char milliseconds[32];
+    std::snprintf(milliseconds, sizeof milliseconds, "%.2f", pass.milliseconds);
+    row.push_back(milliseconds);
+    return row;
+}
+
+std::string padded(const std::string& text, std::size_t width, bool to_the_left) {
+    const std::string space(width - text.size(), ' ');
+    return to_the_left ? text + space : space + text;
+}
+
+}  // namespace
+
+std::string to_table(const std::vector<PassStatistics>& passes) {
+    Row headings{"", "pass"};
+    for (const Count& count : kCounts) {
+        if (!count.heading.empty()) headings.emplace_back(count.heading);
+    }
+    headings.push_back("ms");
+
+    std::vector<Row> rows{headings};
+    PassStatistics total{.label = "total", .counts = {}};
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        rows.push_back(row_of(std::to_string(i), passes[i]));
+        for (const Count& count : kCounts) total.counts.*count.value += passes[i].counts.*count.value;
+        total.milliseconds += passes[i].milliseconds;
+    }
+    rows.push_back(row_of("", total));
+
+    std::vector<std::size_t> widths(headings.size(), 0);
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string table;
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) table += (i > 0 ? "  " : "") + padded(row[i], widths[i], i == 1);
+        table += '\n';
+    }
+    return table;
+}
+
+nlohmann::ordered_json to_json(const PassStatistics& pass) {
+    nlohmann::ordered_json object;
+    object["label"] = pass.label;
+    for (const Count& count : kCounts) object[std::string(count.name)] = pass.counts.*count.value;
+    object["milliseconds"] = pass.milliseconds;
+    return object;
+}
+
+}  // namespace demo

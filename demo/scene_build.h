@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// From what a scene file says to what frames are made of: grows the clouds, makes terrain, solids and textures, and
+// computes all light that does not depend on the view. The expensive part, once for a scene; the canyon takes about
+// half a second.
+#pragma once
+
+#include "demo/scene_data.h"
+
+namespace demo {
+
+// Throws SceneError for a file that cannot be read.
+Scene build_scene(SceneDescription description);
+
+}  // namespace demo

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "demo/scene_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "demo/toml_reader.h"
+
+namespace demo {
+namespace {
+
+constexpr std::uintmax_t kMaxFileBytes = 4u << 20;
+constexpr Range kLight{0.0, 4.0};
+
+void read_output(TableReader reader, SceneDescription& scene) {
+    reader.read("size", scene.size, 1, kMaxOutputSize);
+    reader.finish("[output]");
+}
+
+void read_camera(TableReader reader, CameraPath& camera) {
+    reader.read("position", camera.position, kCoordinate);
+    reader.read("target", camera.target, kCoordinate);
+    reader.read("vfov_deg", camera.vfov_deg, {1.0, 170.0});
+    reader.read("near", camera.near_m, {0.001, 1e5});
+    reader.read("far", camera.far_m, {0.001, 1e6});
+    if (camera.far_m <= camera.near_m) reader.fail("far", "must be > camera.near");
+    if (auto orbit = reader.table("orbit")) {
+        orbit->read("degrees", camera.orbit_deg, {-360.0, 360.0});
+        orbit->read("frames", camera.orbit_frames, 1, 1000000);
+        orbit->finish("[camera.orbit]");
+    }
+    reader.finish("[camera]");
+    const Vec3 ahead       = camera.target - camera.position;
+    const float level      = ahead.x * ahead.x + ahead.z * ahead.z;
+    constexpr float kLeast = 1e-6f;  // of the squared distance
+    if (!(level > kLeast * (level + ahead.y * ahead.y)))
+        reader.fail("position", "must differ from camera.target, and not lie straight above or below it");
+}
+
+void read_light(TableReader reader, cloud::Daylight& light) {
+    if (reader.read("to_sun", light.to_sun, kCoordinate)) {
+        const Vec3 v       = light.to_sun;
+        const float length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+        if (!(length > 1e-6f)) reader.fail("to_sun", "must not be zero");
+        light.to_sun = v / length;
+    }
+    reader.read("sun", light.sun, kLight);
+    reader.read("sky", light.sky, kLight);
+    reader.read("bounce", light.bounce, kLight);
+    reader.finish("[light]");
+}
+
+void read_sky(TableReader reader, Sky& sky) {
+    reader.read("zenith", sky.zenith, kShare);
+    reader.read("horizon", sky.horizon, kShare);
+    reader.read("glow", sky.glow, kShare);
+    reader.finish("[sky]");
+}
+
+void read_fog(TableReader reader, Fog& fog) {
+    reader.read("color", fog.color, kShare);
+    reader.read("start", fog.start_m, {0.0, 1e6});
+    reader.read("end", fog.end_m, {0.0, 1e6, true});
+    if (fog.end_m <= fog.start_m) reader.fail("end", "must be > fog.start");
+    reader.finish("[fog]");
+}
+
+// "none", "rock", "sand", or a file's name.
+void read_texture(TableReader& reader, const char* key, SurfaceTexture& texture) {
+    std::string word;
+    if (!reader.read(key, word)) return;
+    using Kind   = SurfaceTexture::Kind;
+    texture.file = {};
+    if (word == "none" || word == "rock" || word == "sand") {
+        texture.kind = word == "none" ? Kind::None : word == "rock" ? Kind::Rock : Kind::Sand;
+    } else {
+        texture.kind = Kind::File;
+        reader.read(key, texture.file);
+    }
+}
+
+Terrain read_terrain(TableReader reader) {
+    Terrain terrain;
+    FileReference height_map;
+    const bool from_file = reader.read("height_map", height_map);
+    const bool generated = reader.read_choice("generate", {"canyon"}).has_value();
+    if (from_file == generated) reader.fail("height_map", "or terrain.generate must be there, and not both");
+    if (from_file) {
+        terrain.height_map = height_map;
+    } else {
+        reader.read("seed", terrain.seed);
+    }
+    reader.read("center", terrain.center, kCoordinate);
+    reader.read("size", terrain.size_m, {1.0, 1e5});
+    reader.read("height", terrain.height_m, {0.0, 1e4});
+    reader.read("base", terrain.base_y, kCoordinate);
+    read_texture(reader, "walls", terrain.walls);
+    read_texture(reader, "ground", terrain.ground);
+    reader.read("walls_tile", terrain.walls_tile_m, {0.01, 1e5});
+    reader.read("ground_tile", terrain.ground_tile_m, {0.01, 1e5});
+    reader.finish(from_file ? "a [terrain] with a height map" : "[terrain]");
+    return terrain;
+}
+
+Solid read_solid(TableReader reader) {
+    Solid solid;
+    const auto kind = reader.read_choice("kind", {"box", "cylinder", "spire"});
+    if (!kind) reader.fail("kind", "is missing: box, cylinder or spire");
+    using Kind = Solid::Kind;
+    solid.kind = *kind == 0 ? Kind::Box : *kind == 1 ? Kind::Cylinder : Kind::Spire;
+    if (solid.kind == Kind::Spire) solid.texture.kind = SurfaceTexture::Kind::Rock;
+
+    for (const char* end : {"from", "to"})
+        if (!reader.read(end, end[0] == 'f' ? solid.from : solid.to, kCoordinate))
+            reader.fail(end, "is missing: [x, y, z]");
+    const Vec3 span = glm::abs(solid.to - solid.from);
+    if (solid.kind == Kind::Cylinder) {
+        if (!(std::max({span.x, span.y, span.z}) > 0.0f)) reader.fail("to", "must differ from solid.from");
+        if (!reader.read("radius", solid.radius, kLength)) reader.fail("radius", "is missing");
+        solid.top_radius = solid.radius;
+        reader.read("top_radius", solid.top_radius, {0.0, 1e5});
+    } else if (!(std::min({span.x, span.y, span.z}) > 0.0f)) {
+        reader.fail("to", "must differ from solid.from in x, y and z");
+    }
+    if (solid.kind == Kind::Spire) reader.read("seed", solid.seed);
+    reader.read("front", solid.front);
+    read_texture(reader, "texture", solid.texture);
+    reader.read("tile", solid.tile_m, {0.01, 1e5});
+    reader.read("color", solid.color, kShare);
+    reader.finish(solid.kind == Kind::Box ? "a box" : solid.kind == Kind::Cylinder ? "a cylinder" : "a spire");
+    return solid;
+}
+
+void read_fractal(TableReader reader, cloud::Fractal& fractal) {
+    reader.read("size", fractal.face_size, 1, 1024);
+    if ((fractal.face_size & (fractal.face_size - 1)) != 0) reader.fail("size", "must be a power of two");
+    reader.read("octaves", fractal.octaves, 1, 12);
+    reader.read("gain", fractal.gain, kShare);
+    reader.read("cycles", fractal.cycles, {0.0, 1024.0, true});
+    reader.read("seed", fractal.seed);
+    if (const auto noise = reader.read_choice("noise", {"fbm", "billow"}))
+        fractal.noise = *noise == 0 ? cloud::Noise::Fbm : cloud::Noise::Billow;
+    reader.finish("[cloud.fractal]");
+}
+
+CloudPlan read_cloud(TableReader reader) {
+    CloudPlan plan;
+    cloud::Cloud& cloud = plan.settings;
+    reader.read("name", cloud.name);
+    if (const auto mode = reader.read_choice("mode", {"skirt", "article"}))
+        cloud.mode = *mode == 0 ? cloud::Mode::Skirt : cloud::Mode::Article;
+    reader.read("position", plan.position, kCoordinate);
+    reader.read("scale", plan.scale, {0.001, 1000.0});
+    reader.read("color", plan.color, kShare);
+    const auto rows = reader.read_rows("cores", 4, kMaxParticlesPerCloud);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto& row = rows[i];
+        if (row[3] < 0.01) reader.fail_at_row("cores", i, "must have radii >= 0.01, each [x, y, z, radius]");
+        plan.cores.push_back({Vec3(static_cast<float>(row[0]), static_cast<float>(row[1]), static_cast<float>(row[2])),
+                              static_cast<float>(row[3])});
+    }
+    if (plan.cores.empty()) reader.fail("cores", "must hold one core or more, each [x, y, z, radius]");
+    reader.read("crown", plan.crown, 0, kMaxParticlesPerCloud);
+    reader.read("rim", plan.rim, 0, kMaxParticlesPerCloud);
+    const int particles = static_cast<int>(plan.cores.size()) + plan.crown + plan.rim;
+    if (particles > kMaxParticlesPerCloud)
+        reader.fail("cores", "with crown and rim must come to at most " + std::to_string(kMaxParticlesPerCloud) +
+                                 " particles (got " + std::to_string(particles) + ")");
+    reader.read("jitter", plan.jitter, {0.0, 0.25});
+    reader.read("seed", plan.seed);
+    reader.read("base_y", cloud.base_y, kCoordinate);
+    reader.read("blur", cloud.blur_m, {0.0, 1000.0});
+    reader.read("opacity", cloud.opacity, kShare);
+    reader.read("absorption", cloud.absorption, {0.0, 100.0});
+    reader.read("lumpiness", cloud.lumpiness, {0.0, 0.5});
+    // What remains once all is placed and scaled must be of a size that floats and the cloud's meshes bear.
+    for (std::size_t i = 0; i < plan.cores.size(); ++i) {
+        const Vec3 center  = glm::abs(plan.position + plan.scale * plan.cores[i].center);
+        const float radius = plan.scale * plan.cores[i].radius;
+        if (std::max({center.x, center.y, center.z}) > 5e5f || radius < 0.02f || radius > 1e5f)
+            reader.fail_at_row(
+                "cores", i,
+                "must lie within 500 km of the origin, with a radius of 0.02 to 1e5, once placed and scaled");
+    }
+    if (cloud.blur_m * plan.scale > 1e5f) reader.fail("blur", "must be <= 1e5 once scaled");
+    if (auto fractal = reader.table("fractal")) read_fractal(*fractal, cloud.fractal);
+    reader.finish("[[cloud]]");
+    return plan;
+}
+
+}  // namespace
+
+SceneDescription parse_scene(std::string_view text, const std::string& file, const std::string& name) {
+    toml::table root;
+    try {
+        root = toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        const auto& begin = error.source().begin;
+        throw SceneError(file + ":" + std::to_string(begin.line) + ":" + std::to_string(begin.column) + ": " +
+                         std::string(error.description()));
+    }
+    SceneDescription scene;
+    scene.name = name;
+    TableReader reader(root, file, "");
+    reader.read("summary", scene.summary);
+    if (auto table = reader.table("output")) read_output(*table, scene);
+    if (auto table = reader.table("camera")) read_camera(*table, scene.camera);
+    if (auto table = reader.table("light")) read_light(*table, scene.light);
+    if (auto table = reader.table("sky")) read_sky(*table, scene.sky);
+    if (auto table = reader.table("fog")) read_fog(*table, scene.fog);
+    if (auto table = reader.table("terrain")) scene.terrain = read_terrain(*table);
+    for (TableReader& table : reader.tables("solid", kMaxSolids)) scene.solids.push_back(read_solid(std::move(table)));
+    for (TableReader& table : reader.tables("cloud", kMaxClouds)) scene.clouds.push_back(read_cloud(std::move(table)));
+    reader.finish("a scene file");
+    return scene;
+}
+
+SceneDescription read_scene_file(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (!fs::exists(path, error)) throw SceneError(path + ": no such file");
+    if (!fs::is_regular_file(path, error)) throw SceneError(path + ": is not a file");
+    if (fs::file_size(path, error) > kMaxFileBytes)
+        throw SceneError(path + ": is larger than a scene file may be (4 MiB)");
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) throw SceneError(path + ": cannot be read");
+    return parse_scene(text.view(), path, fs::path(path).stem().string());
+}
+
+}  // namespace demo

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// The order of a scene's passes: all that stands behind the clouds or reaches into them, the clouds, then what stands
+// in front, so that a cloud's soft edge, which has no depth of its own, never lies over a nearer thing.
+#include <algorithm>
+#include <utility>
+
+#include "cloud/mega_particles/mega_particles.h"
+#include "demo/camera_matrices.h"
+#include "demo/scene.h"
+#include "demo/scene_data.h"
+#include "demo/texture_pyramid.h"
+
+namespace demo {
+namespace {
+
+namespace pl = pipeline;
+
+// Stage 0: texture times light; stage 1 (ground and walls): times two times the slow variation.
+void use_texture(pl::PipelineState& state, bool with_variation) {
+    state.stages[0].color_op   = pl::TextureOp::Modulate;
+    state.stages[0].alpha_op   = pl::TextureOp::SelectArg2;
+    state.stages[0].color_arg2 = {.source = pl::ArgSource::Diffuse};
+    state.stages[0].alpha_arg2 = {.source = pl::ArgSource::Diffuse};
+    if (with_variation) {
+        state.stages[1].color_op = pl::TextureOp::Modulate2X;
+        state.stages[1].alpha_op = pl::TextureOp::SelectArg2;
+        state.stages[1].coords   = pl::CoordSource::Vertex1;
+    }
+    for (pl::TextureStage& stage : state.stages) {
+        stage.filter     = pl::TextureFilter::Linear;
+        stage.mip_filter = pl::MipFilter::Linear;
+    }
+}
+
+class SceneFrame {
+  public:
+    SceneFrame(const Scene& scene, Size size, int index)
+        : scene_(scene), about_(scene.description), geometry_(scene.geometry) {
+        const auto width = static_cast<std::int32_t>(size.width), height = static_cast<std::int32_t>(size.height);
+        eye_ = eye_at(about_.camera, index);
+        const pl::Camera camera{.name       = "scene",
+                                .view       = look_at(eye_, about_.camera.target),
+                                .projection = perspective(about_.camera.vfov_deg, static_cast<double>(width) / height,
+                                                          about_.camera.near_m, about_.camera.far_m)};
+        view_          = {.eye        = eye_,
+                          .view       = camera.view,
+                          .projection = camera.projection,
+                          .width      = width,
+                          .height     = height,
+                          .near_m     = static_cast<float>(about_.camera.near_m)};
+        frame_.output  = {0};
+        frame_.targets = {{"back buffer", pl::TargetFormat::A8R8G8B8, width, height},
+                          {"depth", pl::TargetFormat::D24, width, height}};
+        frame_.cameras.push_back(camera);
+        frame_.textures = geometry_.textures;
+        frame_.vertices = geometry_.vertices;
+        frame_.indices  = geometry_.indices;
+    }
+
+    pl::Frame build() && {
+        sky();
+        if (geometry_.ground.index_count > 0) terrain();
+        solids("solids", geometry_.solids_behind);
+        if (!scene_.clouds.empty())
+            cloud::append_mega_particles(frame_, {.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = fog()}, view_,
+                                         scene_.clouds);
+        solids("objects in front", geometry_.solids_in_front);
+        return std::move(frame_);
+    }
+
+  private:
+    pl::Pass& add_pass(std::string label) {
+        frame_.passes.push_back({.label  = std::move(label),
+                                 .color  = {0},
+                                 .depth  = {1},
+                                 .camera = {0},
+                                 .clear  = {},
+                                 .state  = {},
+                                 .draws  = {}});
+        return frame_.passes.back();
+    }
+
+    pl::DrawTriangles draw_of(const TexturedRange& range, int second_texture) const {
+        pl::DrawTriangles draw{
+            .first_index = range.first_index, .index_count = range.index_count, .world = Mat4(1.0f), .textures = {}};
+        draw.textures[0].texture = {range.texture};
+        draw.textures[1].texture = {second_texture};
+        return draw;
+    }
+
+    // The dome goes with the eye, so the sky is endlessly far; it writes no depth, so its radius does not matter.
+    void sky() {
+        pl::Pass& pass         = add_pass("sky");
+        pass.clear             = {.color = fog_color(), .depth = 1.0f};
+        pl::DrawTriangles dome = draw_of(geometry_.sky, -1);
+        const auto radius      = static_cast<float>(0.5 * (about_.camera.near_m + about_.camera.far_m));
+        dome.world             = Mat4(radius);
+        dome.world[3]          = pipeline::Vec4(eye_, 1.0f);
+        pass.draws.emplace_back(dome);
+    }
+
+    void terrain() {
+        pl::Pass& ground = add_pass("ground");
+        set_solid_state(ground.state);
+        use_texture(ground.state, true);
+        ground.draws.emplace_back(draw_of(geometry_.ground, geometry_.variation));
+        const char* labels[] = {"walls along z", "walls along x"};
+        for (std::size_t i = 0; i < geometry_.walls.size(); ++i) {
+            pl::Pass& walls = add_pass(labels[i]);
+            set_solid_state(walls.state);
+            use_texture(walls.state, true);
+            walls.state.blend = pl::kAlphaOver;
+            walls.draws.emplace_back(draw_of(geometry_.walls[i], geometry_.variation));
+        }
+    }
+
+    void solids(const char* label, const std::vector<TexturedRange>& ranges) {
+        if (ranges.empty()) return;
+        pl::Pass& pass = add_pass(label);
+        set_solid_state(pass.state);
+        use_texture(pass.state, false);
+        for (const TexturedRange& range : ranges) pass.draws.emplace_back(draw_of(range, -1));
+    }
+
+    void set_solid_state(pl::PipelineState& state) const {
+        state.depth = {.func = pl::CompareFunc::LessEqual, .write = true};
+        state.cull  = pl::CullMode::Clockwise;  // what shows its back
+        state.fog   = fog();
+    }
+
+    pl::FogState fog() const {
+        return {.mode    = pl::FogMode::Linear,
+                .color   = fog_color(),
+                .start   = about_.fog.start_m,
+                .end     = about_.fog.end_m,
+                .density = 1.0f,
+                .range   = true};
+    }
+
+    pl::Argb fog_color() const { return to_argb(about_.fog.color.value_or(about_.sky.horizon)); }
+
+    const Scene& scene_;
+    const SceneDescription& about_;
+    const SceneGeometry& geometry_;
+    Vec3 eye_ = Vec3(0.0f);
+    cloud::View view_;
+    pl::Frame frame_;
+};
+
+}  // namespace
+
+pipeline::Frame scene_frame(const Scene& scene, Size size, int index) {
+    return SceneFrame(scene, size, index).build();
+}
+
+}  // namespace demo

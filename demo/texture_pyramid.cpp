@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "demo/texture_pyramid.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace demo {
+namespace {
+
+struct Picture {
+    int width, height;
+    std::vector<std::uint32_t> pixels;
+    std::uint32_t at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+};
+
+template <class PerChannel>
+std::uint32_t for_each_channel(PerChannel&& value_of) {
+    std::uint32_t pixel = 0;
+    for (int shift = 0; shift < 32; shift += 8) pixel |= static_cast<std::uint32_t>(value_of(shift)) << shift;
+    return pixel;
+}
+
+std::uint32_t channel(std::uint32_t pixel, int shift) {
+    return (pixel >> shift) & 0xffu;
+}
+
+int power_of_two_near(int size) {
+    int power = 1;
+    while (power < kMaxTextureSize && power * 3 <= size * 2) power *= 2;
+    return power;
+}
+
+// The mean of the source over each new pixel's rectangle, sampled often enough to meet every source pixel.
+Picture resample(const Picture& source, int width, int height) {
+    Picture result{width, height, std::vector<std::uint32_t>(static_cast<std::size_t>(width) * height)};
+    const int taps_x = (source.width + width - 1) / width, taps_y = (source.height + height - 1) / height;
+    const auto taps = static_cast<std::uint32_t>(taps_x * taps_y);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            std::uint32_t sums[4] = {};
+            for (int tap_y = 0; tap_y < taps_y; ++tap_y) {
+                const auto row =
+                    static_cast<int>((2LL * (y * taps_y + tap_y) + 1) * source.height / (2LL * height * taps_y));
+                for (int tap_x = 0; tap_x < taps_x; ++tap_x) {
+                    const auto column =
+                        static_cast<int>((2LL * (x * taps_x + tap_x) + 1) * source.width / (2LL * width * taps_x));
+                    const std::uint32_t pixel = source.at(column, row);
+                    for (int i = 0; i < 4; ++i) sums[i] += channel(pixel, 8 * i);
+                }
+            }
+            result.pixels[static_cast<std::size_t>(y) * width + x] =
+                for_each_channel([&](int shift) { return (sums[shift / 8] + taps / 2) / taps; });
+        }
+    }
+    return result;
+}
+
+Picture half_size(const Picture& source) {
+    Picture half{std::max(source.width / 2, 1), std::max(source.height / 2, 1), {}};
+    half.pixels.reserve(static_cast<std::size_t>(half.width) * half.height);
+    for (int y = 0; y < half.height; ++y) {
+        const int y0 = std::min(2 * y, source.height - 1), y1 = std::min(2 * y + 1, source.height - 1);
+        for (int x = 0; x < half.width; ++x) {
+            const int x0 = std::min(2 * x, source.width - 1), x1 = std::min(2 * x + 1, source.width - 1);
+            const std::uint32_t four[] = {source.at(x0, y0), source.at(x1, y0), source.at(x0, y1), source.at(x1, y1)};
+            half.pixels.push_back(for_each_channel([&](int shift) {
+                return (channel(four[0], shift) + channel(four[1], shift) + channel(four[2], shift) +
+                        channel(four[3], shift) + 2) /
+                       4;
+            }));
+        }
+    }
+    return half;
+}
+
+void append_texels(const Picture& level, std::vector<std::uint8_t>& texels) {
+    for (const std::uint32_t pixel : level.pixels)
+        for (int shift = 0; shift < 32; shift += 8) texels.push_back(static_cast<std::uint8_t>(channel(pixel, shift)));
+}
+
+}  // namespace
+
+pipeline::Argb to_argb(const pipeline::Vec3& color, float alpha) {
+    const auto byte = [](float factor) {
+        return static_cast<std::uint32_t>(std::clamp(factor, 0.0f, 1.0f) * 255.0f + 0.5f);
+    };
+    return {byte(alpha) << 24 | byte(color.x) << 16 | byte(color.y) << 8 | byte(color.z)};
+}
+
+pipeline::Texture texture_pyramid(std::string name, int width, int height, std::vector<std::uint32_t> pixels) {
+    assert(width > 0 && height > 0 && pixels.size() == static_cast<std::size_t>(width) * height);
+    Picture level{width, height, std::move(pixels)};
+    const int width2 = power_of_two_near(width), height2 = power_of_two_near(height);
+    if (width2 != width || height2 != height) level = resample(level, width2, height2);
+
+    pipeline::Texture texture{.name   = std::move(name),
+                              .format = pipeline::TextureFormat::A8R8G8B8,
+                              .width  = level.width,
+                              .height = level.height,
+                              .levels = 1,
+                              .texels = {}};
+    texture.texels.reserve(static_cast<std::size_t>(level.width) * level.height * 6);
+    append_texels(level, texture.texels);
+    while (level.width > 1 || level.height > 1) {
+        level = half_size(level);
+        append_texels(level, texture.texels);
+        ++texture.levels;
+    }
+    return texture;
+}
+
+}  // namespace demo
