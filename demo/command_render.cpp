@@ -46,7 +46,8 @@ struct DrawnFrame {
     double building_ms = 0.0, drawing_ms = 0.0;  // scene to frame; frame to picture, writing files not counted
 };
 
-DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int index, const std::string& path) {
+DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int index, const std::string& path,
+                pipeline::Executor& executor) {
     DrawnFrame drawn{.index = index, .path = path, .image = {}, .passes = {}};
     const Clock::time_point start = Clock::now();
     const pipeline::Frame frame   = source.frame(options.size, index);
@@ -62,7 +63,7 @@ DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int ind
         if (pictures) pictures->add(pass);
         pass_start = Clock::now();
     };
-    drawn.image = pipeline::execute(frame, {.threads = options.threads}, observe).output;
+    drawn.image = executor.execute(frame, {.threads = options.threads}, observe).output;
     for (const PassStatistics& pass : drawn.passes) drawn.drawing_ms += pass.milliseconds;
     drawn.drawing_ms += milliseconds_since(pass_start);
     if (pictures) pictures->finish();
@@ -118,9 +119,10 @@ void render(const RenderOptions& options) {
     nlohmann::ordered_json report{{"scene", options.scene}, {"profile", "ideal"}};
     report["frames"] = nlohmann::ordered_json::array();
     ProgressBar progress(frames.last - frames.first + 1);
+    pipeline::Executor executor;
     double drawing_ms = 0.0;
     for (int index = frames.first; index <= frames.last; ++index) {
-        const DrawnFrame frame = draw(source, options, index, numbered_path(output, index));
+        const DrawnFrame frame = draw(source, options, index, numbered_path(output, index), executor);
         write_image(frame.path, frame.image, Channels::Rgb);
         drawing_ms += frame.drawing_ms;
         progress.hide();

@@ -68,7 +68,7 @@ class TileFill {
             color_rectangle(plan, *command.rectangle);
         else
             color_triangle(plan, *command.triangle);
-        if (plan.state.stage_count == 0) std::copy_n(batch_.diffuse[0], batch_.count * kBlockWidth, batch_.color[0]);
+        if (plan.state.stage_count == 0) std::copy_n(batch_.diffuse.lanes, batch_.count * kBlockWidth, batch_.color.lanes);
         for (int i = 0; i < plan.state.stage_count; ++i) {
             if (plan.sample[i]) sample(command, i);
             plan.combine.stage(plan.state.stages[i], i, plan.state.constant, batch_);
@@ -110,9 +110,9 @@ class TileFill {
 
         plan.pack(batch_, packed_);
         plan.sample[i](sampler, packed_.points, packed_.mask, packed_.blocks(), packed_.texel);
-        std::uint32_t* const texels      = batch_.texel[i][0];
-        const std::uint32_t* const index = packed_.index[0];
-        const std::uint32_t* const read  = packed_.texel[0];
+        std::uint32_t* const texels      = batch_.texel[i].lanes;
+        const std::uint32_t* const index = packed_.index.lanes;
+        const std::uint32_t* const read  = packed_.texel.lanes;
         for (int lane = 0; lane < packed_.lanes; ++lane) texels[index[lane]] = read[lane];
     }
 

@@ -13,8 +13,13 @@ namespace raster {
 inline constexpr int kBatchBlocks = 16;
 static_assert(kBatchBlocks >= kTileWidth / kBlockWidth, "a batch holds at least one row of a tile");
 
+// One value for each lane of a batch; [block] is its row.
 template <class Lane>
-using BlockRows = Lane[kBatchBlocks][kBlockWidth];
+struct alignas(64) BlockRows {
+    Lane lanes[kBatchBlocks * kBlockWidth];
+    Lane* operator[](int block) { return lanes + block * kBlockWidth; }
+    const Lane* operator[](int block) const { return lanes + block * kBlockWidth; }
+};
 
 // Where textures are read: u, v in 1/256 texel of level 0, lod in 1/256 level.
 struct SamplePoints {

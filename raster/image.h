@@ -17,6 +17,7 @@ class Image {
   public:
     Image() = default;
     Image(int width, int height);  // all zeros
+    void clear();                  // back to all zeros
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -29,6 +30,10 @@ class Image {
     struct Free {
         void operator()(std::uint32_t* pixels) const { ::operator delete[](pixels, std::align_val_t{64}); }
     };
+    std::size_t bytes() const {
+        return static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height_) * sizeof(std::uint32_t);
+    }
+
     int width_ = 0, height_ = 0;
     std::ptrdiff_t stride_ = 0;
     std::unique_ptr<std::uint32_t[], Free> pixels_;

@@ -64,15 +64,15 @@ void sample_white(const SamplePlan&, const SamplePoints&, const BlockRows<std::u
 }
 
 void pack_points(const FragmentBatch& batch, PackedPoints& out) {
-    std::uint32_t* const index = out.index[0];
+    std::uint32_t* const index = out.index.lanes;
     int lanes                  = 0;
 #if HWY_TARGET == HWY_SCALAR
     for (int i = 0; i < batch.count * kBlockWidth; ++i)
-        if (batch.mask[0][i] != 0) index[lanes++] = static_cast<std::uint32_t>(i);
+        if (batch.mask.lanes[i] != 0) index[lanes++] = static_cast<std::uint32_t>(i);
 #else
     // A store of a whole vector may write past the live lanes, but never past the lane it was read from plus its width.
     for (int i = 0; i < batch.count * kBlockWidth; i += lane_count()) {
-        const auto live = hn::MaskFromVec(hn::Load(DU(), batch.mask[0] + i));
+        const auto live = hn::MaskFromVec(hn::Load(DU(), batch.mask.lanes + i));
         hn::StoreU(hn::Compress(hn::BitCast(DU(), lane_index(i)), live), DU(), index + lanes);
         lanes += static_cast<int>(hn::CountTrue(DU(), live));
     }
@@ -81,11 +81,11 @@ void pack_points(const FragmentBatch& batch, PackedPoints& out) {
     for (int i = lanes; i < out.blocks() * kBlockWidth; ++i) index[i] = 0;
     for (int i = 0; i < out.blocks() * kBlockWidth; i += lane_count()) {
         const VI from = hn::BitCast(DI(), hn::Load(DU(), index + i));
-        hn::Store(hn::GatherIndex(DI(), batch.points.u[0], from), DI(), out.points.u[0] + i);
-        hn::Store(hn::GatherIndex(DI(), batch.points.v[0], from), DI(), out.points.v[0] + i);
-        hn::Store(hn::GatherIndex(DI(), batch.points.lod[0], from), DI(), out.points.lod[0] + i);
+        hn::Store(hn::GatherIndex(DI(), batch.points.u.lanes, from), DI(), out.points.u.lanes + i);
+        hn::Store(hn::GatherIndex(DI(), batch.points.v.lanes, from), DI(), out.points.v.lanes + i);
+        hn::Store(hn::GatherIndex(DI(), batch.points.lod.lanes, from), DI(), out.points.lod.lanes + i);
         const auto used = hn::Lt(lane_index(i), seti(lanes));
-        hn::Store(hn::BitCast(DU(), hn::VecFromMask(DI(), used)), DU(), out.mask[0] + i);
+        hn::Store(hn::BitCast(DU(), hn::VecFromMask(DI(), used)), DU(), out.mask.lanes + i);
     }
 }
 

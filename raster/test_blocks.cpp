@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raster/test_blocks.h"
 
-#include <cstring>
+#include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/test_blocks.cpp"
@@ -38,9 +38,8 @@ HWY_INLINE int count_lanes(VU mask) {
 HWY_INLINE void move_block(FragmentBatch& batch, int from, int to) {
     if (from == to) return;
     batch.at[to] = batch.at[from];
-    std::memcpy(batch.mask[to], batch.mask[from], sizeof batch.mask[0]);
-    std::memcpy(batch.depth[to], batch.depth[from], sizeof batch.depth[0]);
-    std::memcpy(batch.color[to], batch.color[from], sizeof batch.color[0]);
+    for (BlockRows<std::uint32_t>* rows : {&batch.mask, &batch.depth, &batch.color})
+        std::copy_n((*rows)[from], kBlockWidth, (*rows)[to]);
 }
 
 std::uint64_t test_alpha(Compare func, std::uint8_t reference, FragmentBatch& batch) {

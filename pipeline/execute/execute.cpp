@@ -44,10 +44,12 @@ raster::Rectangle lower(const DrawRectangle& rectangle) {
     return out;
 }
 
-class Executor {
+class FrameExecution {
   public:
-    Executor(const Frame& frame, const ExecuteOptions& options)
-        : frame_(frame), options_(options), memory_(frame), arena_(options.threads) {}
+    FrameExecution(const Frame& frame, const ExecuteOptions& options, FrameMemory& memory)
+        : frame_(frame), options_(options), memory_(memory), arena_(options.threads) {
+        arena_.run([&] { memory.prepare(frame); });
+    }
 
     PassCounts run(const Pass& pass) {
         const PixelRect viewport = resolve(pass.state.viewport, pass);
@@ -70,7 +72,7 @@ class Executor {
 
     ColorImage read(TargetId id) const {
         if (!id) return {};
-        const raster::Image& image = memory_.image(id);
+        const raster::Image& image = *memory_.image(id);
         ColorImage out{image.width(), image.height(), {}};
         out.pixels.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
         for (int y = 0; y < out.height; ++y)
@@ -154,25 +156,32 @@ class Executor {
 
     const Frame& frame_;
     const ExecuteOptions& options_;
-    FrameMemory memory_;
+    FrameMemory& memory_;
     raster::ThreadArena arena_;
 };
 
 }  // namespace
 
-Execution execute(const Frame& frame, const ExecuteOptions& options, const PassObserver& observer) {
+Executor::Executor() : memory_(std::make_unique<FrameMemory>()) {}
+Executor::~Executor() = default;
+
+Execution Executor::execute(const Frame& frame, const ExecuteOptions& options, const PassObserver& observer) {
     const std::vector<Finding> findings = validate(frame);
     if (!findings.empty()) throw std::invalid_argument(findings[0].where + " " + findings[0].what);
-    Executor executor(frame, options);
+    FrameExecution execution(frame, options, *memory_);
     Execution out;
     out.counts.reserve(frame.passes.size());
     for (std::size_t i = 0; i < frame.passes.size(); ++i) {
         const Pass& pass = frame.passes[i];
-        out.counts.push_back(executor.run(pass));
-        if (observer) observer({i, pass, out.counts.back(), [&] { return executor.read(pass.color); }});
+        out.counts.push_back(execution.run(pass));
+        if (observer) observer({i, pass, out.counts.back(), [&] { return execution.read(pass.color); }});
     }
-    out.output = executor.read(frame.output);
+    out.output = execution.read(frame.output);
     return out;
+}
+
+Execution execute(const Frame& frame, const ExecuteOptions& options, const PassObserver& observer) {
+    return Executor().execute(frame, options, observer);
 }
 
 std::vector<std::string> simd_targets() {

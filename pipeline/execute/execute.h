@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,20 @@ struct Execution {
     std::vector<PassCounts> counts;  // one for each pass
 };
 
-// The frame must be valid (pipeline/validate/validate.h); throws std::invalid_argument with the first finding if it is not.
+// Draws frames one after the other and keeps the memory of targets and textures in between. Not for use by two threads at once.
+class Executor {
+  public:
+    Executor();
+    ~Executor();
+
+    // The frame must be valid (pipeline/validate/validate.h); throws std::invalid_argument with the first finding if it is not.
+    Execution execute(const Frame& frame, const ExecuteOptions& options = {}, const PassObserver& observer = {});
+
+  private:
+    std::unique_ptr<class FrameMemory> memory_;
+};
+
+// One frame by itself.
 Execution execute(const Frame& frame, const ExecuteOptions& options = {}, const PassObserver& observer = {});
 
 // The instruction sets compiled in that this machine has, best first, by Highway's name (AVX3, AVX2, SSE4, ...); and the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/execute/frame_memory.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstring>
 #include <set>
@@ -8,8 +10,8 @@
 namespace pipeline {
 namespace {
 
-std::vector<std::uint32_t> expand(const Texture& texture) {
-    std::vector<std::uint32_t> out(texture.texels.size() / bytes_per_texel(texture.format));
+void expand(const Texture& texture, std::vector<std::uint32_t>& out) {
+    out.resize(texture.texels.size() / static_cast<std::size_t>(bytes_per_texel(texture.format)));
     switch (texture.format) {
         case TextureFormat::A8:
             std::transform(texture.texels.begin(), texture.texels.end(), out.begin(),
@@ -19,27 +21,37 @@ std::vector<std::uint32_t> expand(const Texture& texture) {
             std::transform(texture.texels.begin(), texture.texels.end(), out.begin(),
                            [](std::uint8_t l) { return 0xff000000u | l * 0x010101u; });
             break;
-        case TextureFormat::A8R8G8B8:
-            std::memcpy(out.data(), texture.texels.data(), out.size() * 4);
+        case TextureFormat::A8R8G8B8:  // B, G, R, A: a little-endian 0xAARRGGBB
+            std::memcpy(out.data(), texture.texels.data(), texture.texels.size());
             break;
     }
-    return out;
 }
 
-std::set<std::int32_t> bound_textures(const Frame& frame) {
+std::vector<std::int32_t> bound_textures(const Frame& frame) {
     std::set<std::int32_t> bound;
     for (const Pass& pass : frame.passes)
         for (const Draw& draw : pass.draws)
             for (const TextureBinding& binding : std::visit([](const auto& d) { return d.textures; }, draw))
                 if (binding.texture) bound.insert(binding.texture.index);
-    return bound;
+    return {bound.begin(), bound.end()};
 }
 
 }  // namespace
 
-FrameMemory::FrameMemory(const Frame& frame) : texels_(frame.textures.size()), frame_(frame) {
-    for (const Target& target : frame.targets) images_.emplace_back(target.width, target.height);
-    for (const std::int32_t index : bound_textures(frame)) texels_[index] = expand(frame.textures[index]);
+void FrameMemory::prepare(const Frame& frame) {
+    frame_ = &frame;
+    images_.resize(frame.targets.size());
+    tbb::parallel_for(std::size_t{0}, images_.size(), [&](std::size_t i) {
+        const Target& target = frame.targets[i];
+        if (images_[i].width() == target.width && images_[i].height() == target.height)
+            images_[i].clear();
+        else
+            images_[i] = raster::Image(target.width, target.height);
+    });
+    texels_.resize(frame.textures.size());
+    const std::vector<std::int32_t> bound = bound_textures(frame);
+    tbb::parallel_for(std::size_t{0}, bound.size(),
+                      [&](std::size_t i) { expand(frame.textures[bound[i]], texels_[bound[i]]); });
 }
 
 raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
@@ -48,7 +60,7 @@ raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
         const raster::Image& target = image(binding.target);
         sampler.levels.push_back({target.row(0), target.width(), target.height(), target.stride()});
     } else if (binding.texture) {
-        const Texture& texture      = frame_.textures[binding.texture.index];
+        const Texture& texture      = frame_->textures[binding.texture.index];
         sampler.texel_bytes         = bytes_per_texel(texture.format);
         const std::uint32_t* texels = texels_[binding.texture.index].data();
         for (int level = 0; level < texture.levels; ++level) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame's targets and textures as the rasterizer sees them.
+// A frame's targets and textures as the rasterizer sees them. What one frame has allocated serves the next.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@ namespace pipeline {
 
 class FrameMemory {
   public:
-    explicit FrameMemory(const Frame& frame);
+    // Targets become all zeros. The frame must outlive its drawing. Uses the threads of the arena it is called in.
+    void prepare(const Frame& frame);
 
     raster::Image* image(TargetId id) { return id ? &images_[id.index] : nullptr; }
     const raster::Image& image(TargetId id) const { return images_[id.index]; }
@@ -25,7 +26,7 @@ class FrameMemory {
     std::vector<raster::Image> images_;
     std::vector<std::vector<std::uint32_t>>
         texels_;  // 0xAARRGGBB, whatever the texture's format; only of bound textures
-    const Frame& frame_;
+    const Frame* frame_ = nullptr;
 };
 
 }  // namespace pipeline

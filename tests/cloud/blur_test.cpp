@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "cumulus.h"
+#include "tests/cloud/cumulus.h"
 #include "pipeline/execute/execute.h"
 
 using namespace cloud;

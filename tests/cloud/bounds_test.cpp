@@ -6,7 +6,7 @@
 #include <random>
 
 #include "cloud/particle_mesh.h"
-#include "cumulus.h"
+#include "tests/cloud/cumulus.h"
 
 using namespace cloud;
 

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "cumulus.h"
+#include "tests/cloud/cumulus.h"
 
 using namespace cloud;
 

@@ -8,7 +8,7 @@
 
 #include "cloud/mega_particles/draw_particles.h"
 #include "cloud/mega_particles/fractal_box.h"
-#include "cumulus.h"
+#include "tests/cloud/cumulus.h"
 #include "pipeline/execute/execute.h"
 #include "pipeline/validate/validate.h"
 

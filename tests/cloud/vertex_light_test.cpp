@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "cloud/particle_mesh.h"
-#include "cumulus.h"
+#include "tests/cloud/cumulus.h"
 
 using namespace cloud;
 

@@ -44,12 +44,12 @@ class Checker {
     Checker(const BlendConstants& constants, bool generic)
         : constants_(constants), kernel_(raster::blend_kernel(constants, generic)), target_(kWidth, 1) {
         for (int block = 0; block < raster::kBatchBlocks; ++block) batch_->at[block] = {block * raster::kBlockWidth, 0};
-        std::fill_n(batch_->mask[0], kWidth, 0xffffffff);
+        std::fill_n(batch_->mask.lanes, kWidth, 0xffffffff);
         batch_->count = raster::kBatchBlocks;
     }
     ~Checker() { flush(); }
     void add(const Pixel& source, const Pixel& dest) {
-        batch_->color[0][used_] = source.argb();
+        batch_->color.lanes[used_] = source.argb();
         target_.row(0)[used_]   = dest.argb();
         wanted_[used_]          = expected(constants_, source, dest);
         if (++used_ == kWidth) flush();

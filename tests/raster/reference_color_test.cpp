@@ -5,7 +5,7 @@
 #include <random>
 
 #include "raster/reference.h"
-#include "reference_scene.h"
+#include "tests/raster/reference_scene.h"
 
 using namespace raster;
 using namespace reference_scene;

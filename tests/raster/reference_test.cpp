@@ -9,7 +9,7 @@
 #include <random>
 #include <utility>
 
-#include "reference_scene.h"
+#include "tests/raster/reference_scene.h"
 
 using namespace raster;
 using namespace reference_scene;
