@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "cloud/particle_mesh.h"
 
@@ -47,35 +48,69 @@ Vec3 direction(const Azimuth& azimuth, float sine_of_elevation) {
     return Vec3(level * static_cast<float>(azimuth.cosine), e, level * static_cast<float>(azimuth.sine));
 }
 
-// Children on parents [first, first + parent_count) of `particles`, taken in turn. Each parent's children are a golden
-// angle apart, and neighbouring parents begin a golden angle apart.
-void grow_generation(std::vector<Particle>& particles, std::size_t first, std::size_t parent_count,
-                     const Generation& rule, int generation, float jitter, std::uint32_t& random) {
-    constexpr int kTries = 6;
-    std::vector<Azimuth> next(parent_count);
-    for (std::size_t i = 1; i < parent_count; ++i) next[i] = next[i - 1].turned_by(kGoldenAngle);
-    for (int i = 0; i < rule.count && parent_count > 0; ++i) {
-        const float t           = (static_cast<float>(i) + 0.5f) / static_cast<float>(rule.count);
-        const std::size_t which = static_cast<std::size_t>(i) % parent_count;
-        const Particle& parent  = particles[first + which];
-        const Azimuth turn      = small_turn(jitter * next_signed(random));
-        const float swell       = 1.0f + jitter * static_cast<float>(next_signed(random));
+class Grower {
+  public:
+    Grower(std::span<const Particle> cores, const Growth& growth)
+        : particles_(cores.begin(), cores.end()), jitter_(growth.jitter), random_(growth.seed) {
+        for (Particle& core : particles_) {
+            core.generation = 0;
+            core_radius_.push_back(core.radius);
+        }
+    }
 
-        Particle child   = parent;
-        child.generation = generation;
-        child.radius     = parent.radius * (rule.first_radius + (rule.last_radius - rule.first_radius) * t) * swell;
-        for (int tried = 0; tried < kTries; ++tried) {
-            const Azimuth azimuth = next[which].turned_by(turn);
-            next[which]           = next[which].turned_by(kGoldenAngle);
-            child.center =
-                parent.center + direction(azimuth, rule.lowest + rule.rise * t) * (parent.radius * rule.seat);
-            if (buried_share(child, particles) <= rule.greatest_burial) {
-                particles.push_back(child);
-                break;
+    // One more generation, on all there are. Each parent's children are a golden angle apart, and neighbouring parents
+    // begin a golden angle apart.
+    void add(const Generation& rule, int generation) {
+        constexpr int kTries           = 6;
+        const std::size_t parent_count = particles_.size();
+        std::vector<Azimuth> next(parent_count);
+        std::vector<int> seated(parent_count);
+        for (std::size_t i = 1; i < parent_count; ++i) next[i] = next[i - 1].turned_by(kGoldenAngle);
+        for (int i = 0; i < rule.count && parent_count > 0; ++i) {
+            const float t           = (static_cast<float>(i) + 0.5f) / static_cast<float>(rule.count);
+            const std::size_t which = emptiest(seated);
+            const Particle parent   = particles_[which];
+            const Azimuth turn      = small_turn(jitter_ * next_signed(random_));
+            const float swell       = 1.0f + jitter_ * static_cast<float>(next_signed(random_));
+            ++seated[which];
+
+            Particle child   = parent;
+            child.generation = generation;
+            child.radius =
+                core_radius_[which] * (rule.first_radius + (rule.last_radius - rule.first_radius) * t) * swell;
+            for (int tried = 0; tried < kTries; ++tried) {
+                const Azimuth azimuth = next[which].turned_by(turn);
+                next[which]           = next[which].turned_by(kGoldenAngle);
+                child.center =
+                    parent.center + direction(azimuth, rule.lowest + rule.rise * t) * (parent.radius * rule.seat);
+                if (buried_share(child, particles_) <= rule.greatest_burial) {
+                    particles_.push_back(child);
+                    core_radius_.push_back(core_radius_[which]);
+                    break;
+                }
             }
         }
     }
-}
+
+    std::vector<Particle> particles() && { return std::move(particles_); }
+
+  private:
+    // The parent with the most surface for each child it has, the next one included.
+    std::size_t emptiest(const std::vector<int>& seated) const {
+        std::size_t best = 0;
+        float most       = -1.0f;
+        for (std::size_t i = 0; i < seated.size(); ++i) {
+            const float surface = particles_[i].radius * particles_[i].radius / static_cast<float>(seated[i] + 1);
+            if (surface > most) most = surface, best = i;
+        }
+        return best;
+    }
+
+    std::vector<Particle> particles_;
+    std::vector<float> core_radius_;  // of the core that each descends from
+    float jitter_;
+    std::uint32_t random_;
+};
 
 }  // namespace
 
@@ -93,15 +128,10 @@ float buried_share(const Particle& particle, std::span<const Particle> others) {
 }
 
 std::vector<Particle> grow(std::span<const Particle> cores, const Growth& growth) {
-    std::vector<Particle> particles(cores.begin(), cores.end());
-    for (Particle& core : particles) core.generation = 0;
-    // A child's parent must not move while it grows.
-    particles.reserve(cores.size() + static_cast<std::size_t>(std::max(growth.crown.count, 0)) +
-                      static_cast<std::size_t>(std::max(growth.rim.count, 0)));
-    std::uint32_t random = growth.seed;
-    grow_generation(particles, 0, cores.size(), growth.crown, 1, growth.jitter, random);
-    grow_generation(particles, cores.size(), particles.size() - cores.size(), growth.rim, 2, growth.jitter, random);
-    return particles;
+    Grower grower(cores, growth);
+    grower.add(growth.crown, 1);
+    grower.add(growth.rim, 2);
+    return std::move(grower).particles();
 }
 
 }  // namespace cloud

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Grows a cumulus on given cores: a crown of smaller particles on the cores' upper sides, and a rim of smaller ones
-// still on the crown. Azimuths follow the golden angle, so no two children of a parent line up; a child that would be
-// buried in what already stands is moved on, or left out. Ratios near one half from one generation to the next make the
-// outline self-similar.
+// Grows a cumulus on given cores: a crown of smaller particles on the cores' upper sides, and a rim of small ones all
+// over both. Azimuths follow the golden angle, so no two children of a parent line up; a child that would be buried in
+// what already stands is moved on, or left out. Ratios near one half from one generation to the next make the outline
+// self-similar.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,9 @@
 
 namespace cloud {
 
-// seat: of a child's centre, in radii of its parent. A child's radius is its parent's times a value that falls from the
-// first to the last child of its generation; the sine of its elevation rises from lowest to lowest + rise.
+// seat: of a child's centre, in radii of its parent. A child's radius is that of the core it descends from times a value
+// that falls from the first to the last child of its generation; the sine of its elevation rises from lowest to
+// lowest + rise. Parents get children in proportion to their surface.
 struct Generation {
     int count             = 0;
     float seat            = 0.85f;
@@ -27,7 +28,13 @@ struct Generation {
 
 struct Growth {
     Generation crown{.count = 14};
-    Generation rim{.count = 24, .first_radius = 0.4f, .last_radius = 0.4f};
+    Generation rim{.count           = 24,
+                   .seat            = 0.9f,
+                   .first_radius    = 0.30f,
+                   .last_radius     = 0.16f,
+                   .lowest          = -0.35f,
+                   .rise            = 1.3f,
+                   .greatest_burial = 0.65f};
     float jitter = 0.0f;  // of the azimuth, in turns (0.1: up to a tenth of a turn either way), and of radius (share)
     std::uint32_t seed = 1;  // of the jitter
 };

