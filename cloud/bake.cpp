@@ -2,9 +2,10 @@
 #include "cloud/bake.h"
 
 #include <cmath>
-#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <initializer_list>
 #include <stdexcept>
+#include <string>
 
 namespace cloud {
 namespace {
@@ -18,6 +19,16 @@ bool within_reach(std::initializer_list<float> values) {
     for (float v : values)
         if (!(std::abs(v) <= 1e6f)) return false;
     return true;
+}
+
+void check(const Daylight& light) {
+    const auto require_light = [](bool holds, const char* what) {
+        if (!holds) throw std::invalid_argument(std::string("daylight: ") + what);
+    };
+    for (const Vec3& color : {light.sun, light.sky, light.bounce})
+        require_light(within_reach({color.x, color.y, color.z}), "colours must be finite");
+    const float length2 = glm::dot(light.to_sun, light.to_sun);
+    require_light(length2 > 0.999f && length2 < 1.001f, "to_sun must be a unit vector");
 }
 
 void check(const Cloud& cloud) {
@@ -44,6 +55,7 @@ void check(const Cloud& cloud) {
 
 BakedCloud bake(const Cloud& cloud, const Daylight& daylight) {
     check(cloud);
+    check(daylight);
     BakedCloud baked{cloud, daylight, light_particles(cloud, daylight), {}};
     if (!cloud.particles.empty())
         baked.fractal = make_fractal(cloud.fractal, baked.lit.high - baked.lit.low,

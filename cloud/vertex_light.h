@@ -4,7 +4,8 @@
 // T: what of the sun comes through the cloud: exp(-k c), c being the lengths of the chords that the ray to the sun cuts
 // from all particles. S: light that was scattered many times and arrives everywhere, as bright as the sun and of the
 // sky's hue. O: 0.15 + 0.85 times the mean of exp(-c k / 2) over 16 directions, by N.d; where a surface dives into
-// another particle it falls to 3/4. No channel exceeds 0.95, so that the top keeps its shape.
+// another particle it falls to 3/4. All of it times 1 + 0.12 lump, the lump being the surface's own (particle_mesh.h). No
+// channel exceeds 0.95, so that the top keeps its shape.
 #pragma once
 
 #include <vector>

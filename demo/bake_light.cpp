@@ -47,6 +47,14 @@ float sun_past_terrain(const HeightField& terrain, const Vec3& point, const Vec3
 
 }  // namespace
 
+ShadowCloud::ShadowCloud(const cloud::Cloud& casts) : cloud(&casts), center(0.0f), radius(0.0f) {
+    for (const cloud::Particle& particle : casts.particles) center += particle.center;
+    center /= static_cast<float>(std::max<std::size_t>(casts.particles.size(), 1));
+    for (const cloud::Particle& particle : casts.particles)
+        radius = std::max(radius, glm::length(particle.center - center) + particle.radius);
+    radius *= 1.001f;  // for rounding
+}
+
 float sun_past_solids(const Surroundings& around, const Vec3& point, const Vec3& to_sun) {
     if (to_sun.y <= 0.01f) return 0.0f;
     float share = around.terrain == nullptr ? 1.0f : sun_past_terrain(*around.terrain, point, to_sun);
@@ -60,9 +68,12 @@ float sun_past_solids(const Surroundings& around, const Vec3& point, const Vec3&
 // The optical depth is the sum of the chords, so that a puff's thin rim shades less than its middle; 1 / (1 + d +
 // d^2/2) stands for exp(-d). A cloud scatters forwards, so its shadow never gets black.
 float sun_past_clouds(const Surroundings& around, const Vec3& point, const Vec3& to_sun) {
-    if (around.clouds == nullptr) return 1.0f;
     float depth = 0.0f;
-    for (const cloud::Cloud& cloud : *around.clouds) {
+    for (const ShadowCloud& shadow : around.clouds) {
+        const Vec3 to_middle = shadow.center - point;
+        const float nearest  = glm::dot(to_middle, to_sun);
+        if (glm::dot(to_middle, to_middle) - nearest * nearest > shadow.radius * shadow.radius) continue;
+        const cloud::Cloud& cloud = *shadow.cloud;
         for (const cloud::Particle& particle : cloud.particles) {
             const Vec3 to_center = particle.center - point;
             const float along    = glm::dot(to_center, to_sun);

@@ -18,11 +18,19 @@ struct ShadowColumn {
     float radius_x, radius_z;
 };
 
-// What stands between a point and the light. Pointers may be null; the clouds' spheres count with absorption.
+// A cloud that casts a shadow, its spheres counted with absorption, and a sphere around them all.
+struct ShadowCloud {
+    explicit ShadowCloud(const cloud::Cloud& casts);
+    const cloud::Cloud* cloud;
+    Vec3 center;
+    float radius;
+};
+
+// What stands between a point and the light. The terrain may be null.
 struct Surroundings {
     const HeightField* terrain = nullptr;
     std::vector<ShadowColumn> columns;
-    const std::vector<cloud::Cloud>* clouds = nullptr;
+    std::vector<ShadowCloud> clouds;
 };
 
 // Share of the sun's disc, made wide for a soft edge, that terrain and columns leave free: 0..1.

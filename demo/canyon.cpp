@@ -78,22 +78,33 @@ float ledges(float height, float step) {
     return step * (level + smooth_step(0.72f, 1.0f, height / step - level));
 }
 
-float floor_height(float x, float z, std::uint32_t seed) {
-    const float swell  = 5.0f * fractal_noise(x / 210.0f, z / 210.0f, 3, seed + 10u);
-    const float stone  = ledges(swell + 0.8f * noise(x / 17.0f, z / 17.0f, seed + 20u), 1.7f);
-    const float sand   = 0.35f * noise(x / 9.0f, z / 9.0f, seed + 21u);
-    // A dry wash, winding along the creases of slow noise.
+// Distance from the bed of a dry wash, which winds along the creases of slow noise.
+float from_wash(float x, float z, std::uint32_t seed) {
     const float crease = std::abs(noise(x / 330.0f + 0.37f, z / 330.0f + 0.21f, seed + 30u)) * 330.0f;
-    const float bank   = smooth_step(3.0f, 15.0f, crease + 3.0f * noise(x / 26.0f, z / 26.0f, seed + 31u));
+    return crease + 3.0f * noise(x / 26.0f, z / 26.0f, seed + 31u);
+}
+
+float floor_height(float x, float z, std::uint32_t seed) {
+    const float swell = 5.0f * fractal_noise(x / 210.0f, z / 210.0f, 3, seed + 10u);
+    const float stone = ledges(swell + 0.8f * noise(x / 17.0f, z / 17.0f, seed + 20u), 1.7f);
+    const float sand  = 0.35f * noise(x / 9.0f, z / 9.0f, seed + 21u);
+    const float bank  = smooth_step(3.0f, 15.0f, from_wash(x, z, seed));
     return mix(-4.5f, 0.72f * stone + 0.28f * swell, bank) + sand;
 }
 
+constexpr std::uint32_t kSeedStep = 101u;
+
 }  // namespace
+
+float canyon_wash(const CanyonShape& shape, float x_m, float z_m) {
+    const float scale = kLayoutSize / shape.size_m;
+    return 1.0f - smooth_step(4.0f, 20.0f, from_wash(x_m * scale, z_m * scale, shape.seed * kSeedStep));
+}
 
 float canyon_height(const CanyonShape& shape, float x_m, float z_m) {
     const float scale = kLayoutSize / shape.size_m;
     const float x = x_m * scale, z = z_m * scale;
-    const std::uint32_t seed = shape.seed * 101u;
+    const std::uint32_t seed = shape.seed * kSeedStep;
 
     // Walls wander, are fluted by buttresses, and cut by gullies: all as one shift of the distance into the rock.
     // Detail finer than the grid out there is left out.

@@ -18,4 +18,7 @@ struct CanyonShape {
 // Height above the floor's mean at (x, z) metres from the middle; about -6 .. height_m + 6.
 float canyon_height(const CanyonShape& shape, float x, float z);
 
+// 1 in the bed of a dry wash, 0 away from it. Where a wall has buried the wash it still says so.
+float canyon_wash(const CanyonShape& shape, float x, float z);
+
 }  // namespace demo

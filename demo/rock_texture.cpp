@@ -18,15 +18,15 @@ Vec3 mix_colors(const Vec3& a, const Vec3& b, float t) {
     return a + (b - a) * t;
 }
 
-// color_of(u, v), u and v in 0..1 at texel centres.
-template <class ColorOf>
-pipeline::Texture paint(const char* name, int width, int height, ColorOf&& color_of) {
+// texel_of(u, v), u and v in 0..1 at texel centres.
+template <class TexelOf>
+pipeline::Texture paint(const char* name, int width, int height, TexelOf&& texel_of) {
     std::vector<std::uint32_t> pixels;
     pixels.reserve(static_cast<std::size_t>(width) * height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            pixels.push_back(to_argb(color_of((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                                              (static_cast<float>(y) + 0.5f) / static_cast<float>(height)))
+            pixels.push_back(texel_of((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                                      (static_cast<float>(y) + 0.5f) / static_cast<float>(height))
                                  .value);
     return texture_pyramid(name, width, height, std::move(pixels));
 }
@@ -78,7 +78,7 @@ Joint joint_at(float u, const Bed& bed, std::uint32_t seed) {
 constexpr Vec3 kRust(0.70f, 0.37f, 0.235f), kCream(0.89f, 0.68f, 0.50f), kMaroon(0.47f, 0.225f, 0.16f);
 constexpr Vec3 kVarnish(0.25f, 0.16f, 0.145f);
 
-Vec3 rock_color(float u, float v, std::uint32_t seed) {
+pipeline::Argb rock_texel(float u, float v, std::uint32_t seed) {
     // Beds are not quite level, and of uneven thickness.
     const float sag   = 0.0055f * tiled(u, v, 3, 7, seed) + 0.0016f * tiled(u, v, 15, 40, seed + 1u);
     const float level = v + sag + 0.026f * tiled(0.5f, v, 1, 13, seed + 2u);
@@ -104,10 +104,13 @@ Vec3 rock_color(float u, float v, std::uint32_t seed) {
     color = mix_colors(color, kVarnish, 0.30f * streak * (1.0f - 0.6f * thick.depth));
 
     const float grain = 0.6f * tiled(u, v, 75, 190, seed + 11u) + 0.4f * tiled(u, v, 165, 390, seed + 12u);
-    return color * (1.0f + 0.13f * grain);
+    // Hard beds reach further out of the sand than soft ones and joints.
+    const float hard  = 0.75f * hash_unit(thin.index, 2, seed + 13u) + 0.25f * worn;
+    const float bare  = std::clamp(hard + 0.5f * grain - 0.6f * joint.darkness - 0.3f * lip, 0.0f, 1.0f);
+    return to_argb(color * (1.0f + 0.13f * grain), kLeastBareness + (1.0f - kLeastBareness) * bare * bare);
 }
 
-// The nearest of the plants or stones that are strewn one to a cell with some probability; reach in cells.
+// The nearest of the stones that are strewn one to a cell with some probability; reach in cells.
 struct Strewn {
     float distance;  // 0 in the middle, 1 at the outline, more outside
     float lean;      // -1..1 across, towards the light
@@ -131,47 +134,36 @@ Strewn strewn_at(float u, float v, int cells, float probability, float radius, s
     return nearest;
 }
 
-Vec3 sand_color(float u, float v, std::uint32_t seed) {
+pipeline::Argb sand_texel(float u, float v, std::uint32_t seed) {
     const float drift  = fractal_noise(u * 6.0f, v * 6.0f, 4, seed, {6, 6});
     const float ripple = tiled(u + 0.02f * drift, v + 0.03f * drift, 9, 60, seed + 10u);
     const float grain  = 0.5f * tiled(u, v, 150, 150, seed + 11u) + 0.5f * tiled(u, v, 256, 256, seed + 12u);
-    Vec3 color = mix_colors(Vec3(0.72f, 0.44f, 0.29f), Vec3(0.86f, 0.64f, 0.46f), smooth_step(-0.7f, 0.7f, drift));
+    Vec3 color = mix_colors(Vec3(0.745f, 0.47f, 0.315f), Vec3(0.85f, 0.625f, 0.445f), smooth_step(-0.7f, 0.7f, drift));
     color *= 1.0f + 0.05f * ripple + 0.10f * grain;
 
-    const Strewn stone = strewn_at(u, v, 64, 0.30f, 0.28f, seed + 20u);
+    const Strewn stone = strewn_at(u, v, 64, 0.22f, 0.28f, seed + 20u);
     if (stone.distance < 1.6f) {
         const float edge = 1.0f - smooth_step(0.75f, 1.15f, stone.distance);
         const float lit  = 0.80f + 0.20f * stone.lean;
         color            = mix_colors(color, mix_colors(kRust, kCream, 0.6f * stone.tone) * lit, edge);
     }
-    // Sagebrush: a ragged tuft, and its shade on the side away from the sun.
-    const float ragged = 0.35f * tiled(u, v, 100, 100, seed + 30u);
-    const Strewn brush = strewn_at(u, v, 26, 0.12f + 0.34f * smooth_step(-0.2f, 0.6f, drift), 0.40f, seed + 40u);
-    if (brush.distance < 2.0f) {
-        const float shade =
-            (1.0f - smooth_step(0.8f, 1.7f, brush.distance)) * (1.0f - smooth_step(-0.9f, 0.5f, brush.lean));
-        color *= 1.0f - 0.38f * shade;
-        const Vec3 leaf = mix_colors(Vec3(0.40f, 0.37f, 0.24f), Vec3(0.55f, 0.53f, 0.37f), brush.tone);
-        color           = mix_colors(color, leaf * (0.78f + 0.24f * brush.lean + 0.5f * ragged),
-                                     1.0f - smooth_step(0.62f, 0.98f, brush.distance + ragged));
-    }
-    return color;
+    return to_argb(color);
 }
 
 }  // namespace
 
 pipeline::Texture rock_texture(std::uint32_t seed) {
-    return paint(kRockTextureName, 512, 1024, [&](float u, float v) { return rock_color(u, v, seed * 977u); });
+    return paint(kRockTextureName, 512, 1024, [&](float u, float v) { return rock_texel(u, v, seed * 977u); });
 }
 
 pipeline::Texture sand_texture(std::uint32_t seed) {
-    return paint(kSandTextureName, 512, 512, [&](float u, float v) { return sand_color(u, v, seed * 991u); });
+    return paint(kSandTextureName, 512, 512, [&](float u, float v) { return sand_texel(u, v, seed * 991u); });
 }
 
 pipeline::Texture variation_texture(std::uint32_t seed) {
     return paint(kVariationTextureName, 256, 256, [&](float u, float v) {
         const float slow = fractal_noise(u * 4.0f, v * 4.0f, 6, seed * 983u, {4, 4});
-        return Vec3(0.5f + 0.16f * slow, 0.5f + 0.17f * slow, 0.5f + 0.18f * slow);
+        return to_argb(Vec3(0.5f + 0.16f * slow, 0.5f + 0.17f * slow, 0.5f + 0.18f * slow));
     });
 }
 

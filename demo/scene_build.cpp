@@ -80,7 +80,8 @@ Scene build_scene(SceneDescription description) {
     std::optional<HeightField> field;
     if (description.terrain) field.emplace(terrain_heights(*description.terrain));
 
-    Surroundings around{.terrain = field ? &*field : nullptr, .columns = {}, .clouds = &clouds};
+    Surroundings around{.terrain = field ? &*field : nullptr, .columns = {}, .clouds = {}};
+    for (const cloud::Cloud& cloud : clouds) around.clouds.emplace_back(cloud);
     for (const Solid& solid : description.solids)
         for (const ShadowColumn& column : shadow_columns(solid)) around.columns.push_back(column);
 

@@ -10,12 +10,9 @@
 
 #include "cloud/bake.h"
 #include "demo/scene.h"
+#include "demo/terrain_blocks.h"
 
 namespace demo {
-
-using pipeline::Mat4;
-using pipeline::Vec2;
-using pipeline::Vec3;
 
 inline constexpr int kMaxOutputSize        = 8192;
 inline constexpr int kMaxClouds            = 64;
@@ -121,10 +118,8 @@ struct SceneGeometry {
     std::vector<pipeline::Texture> textures;
     std::vector<pipeline::Vertex> vertices;
     std::vector<std::uint32_t> indices;
-    int variation = -1;  // texture of the second stage
-    TexturedRange sky;   // a unit dome around the eye
-    TexturedRange ground;
-    std::vector<TexturedRange> walls;  // drawn over the ground by their vertices' alpha
+    TexturedRange sky;  // a unit dome around the eye
+    TerrainBlocks terrain;
     std::vector<TexturedRange> solids_behind, solids_in_front;
 };
 

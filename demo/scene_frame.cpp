@@ -3,6 +3,7 @@
 // in front, so that a cloud's soft edge, which has no depth of its own, never lies over a nearer thing.
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "cloud/mega_particles/mega_particles.h"
 #include "demo/camera_matrices.h"
@@ -15,21 +16,32 @@ namespace {
 
 namespace pl = pipeline;
 
-// Stage 0: texture times light; stage 1 (ground and walls): times two times the slow variation.
-void use_texture(pl::PipelineState& state, bool with_variation) {
-    state.stages[0].color_op   = pl::TextureOp::Modulate;
-    state.stages[0].alpha_op   = pl::TextureOp::SelectArg2;
-    state.stages[0].color_arg2 = {.source = pl::ArgSource::Diffuse};
+// Stage 0: texture times light. Opaque, whatever alpha the vertices have, and the texture.
+void use_texture(pl::PipelineState& state) {
+    pl::TextureStage& stage = state.stages[0];
+    stage.color_op          = pl::TextureOp::Modulate;
+    stage.alpha_op          = pl::TextureOp::SelectArg2;
+    stage.color_arg2        = {.source = pl::ArgSource::Diffuse};
+    stage.alpha_arg2        = {.source = pl::ArgSource::TFactor};
+    stage.filter            = pl::TextureFilter::Linear;
+    stage.mip_filter        = pl::MipFilter::Linear;
+}
+
+// Stage 1: times two times a second texture.
+void use_detail(pl::PipelineState& state) {
+    pl::TextureStage& stage = state.stages[1];
+    stage.color_op          = pl::TextureOp::Modulate2X;
+    stage.alpha_op          = pl::TextureOp::SelectArg2;
+    stage.coords            = pl::CoordSource::Vertex1;
+    stage.filter            = pl::TextureFilter::Linear;
+    stage.mip_filter        = pl::MipFilter::Linear;
+}
+
+// Rock comes through the ground, where it is bare first.
+void blend_by_texture(pl::PipelineState& state) {
+    state.blend                = pl::kAlphaOver;
+    state.stages[0].alpha_op   = pl::TextureOp::Modulate4X;
     state.stages[0].alpha_arg2 = {.source = pl::ArgSource::Diffuse};
-    if (with_variation) {
-        state.stages[1].color_op = pl::TextureOp::Modulate2X;
-        state.stages[1].alpha_op = pl::TextureOp::SelectArg2;
-        state.stages[1].coords   = pl::CoordSource::Vertex1;
-    }
-    for (pl::TextureStage& stage : state.stages) {
-        stage.filter     = pl::TextureFilter::Linear;
-        stage.mip_filter = pl::MipFilter::Linear;
-    }
 }
 
 class SceneFrame {
@@ -58,9 +70,10 @@ class SceneFrame {
     }
 
     pl::Frame build() && {
-        sky();
-        if (geometry_.ground.index_count > 0) terrain();
+        if (!geometry_.terrain.empty()) terrain();
         solids("solids", geometry_.solids_behind);
+        sky();
+        frame_.passes.front().clear = {.color = fog_color(), .depth = 1.0f};
         if (!scene_.clouds.empty())
             cloud::append_mega_particles(frame_, {.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = fog()}, view_,
                                          scene_.clouds);
@@ -88,37 +101,50 @@ class SceneFrame {
         return draw;
     }
 
-    // The dome goes with the eye, so the sky is endlessly far; it writes no depth, so its radius does not matter.
+    // The dome goes with the eye, behind all else: last of what is opaque, where nothing nearer hides it. It is as far
+    // as the camera sees in any direction.
     void sky() {
         pl::Pass& pass         = add_pass("sky");
-        pass.clear             = {.color = fog_color(), .depth = 1.0f};
+        pass.state.depth       = {.func = pl::CompareFunc::LessEqual, .write = false};
         pl::DrawTriangles dome = draw_of(geometry_.sky, -1);
-        const auto radius      = static_cast<float>(0.5 * (about_.camera.near_m + about_.camera.far_m));
-        dome.world             = Mat4(radius);
+        dome.world             = Mat4(static_cast<float>(0.999 * about_.camera.far_m));
         dome.world[3]          = pipeline::Vec4(eye_, 1.0f);
         pass.draws.emplace_back(dome);
     }
 
+    // Near blocks first, so that what they hide costs a depth test only; walls before the ground, which takes two
+    // textures.
     void terrain() {
-        pl::Pass& ground = add_pass("ground");
-        set_solid_state(ground.state);
-        use_texture(ground.state, true);
-        ground.draws.emplace_back(draw_of(geometry_.ground, geometry_.variation));
-        const char* labels[] = {"walls along z", "walls along x"};
-        for (std::size_t i = 0; i < geometry_.walls.size(); ++i) {
-            pl::Pass& walls = add_pass(labels[i]);
-            set_solid_state(walls.state);
-            use_texture(walls.state, true);
-            walls.state.blend = pl::kAlphaOver;
-            walls.draws.emplace_back(draw_of(geometry_.walls[i], geometry_.variation));
-        }
+        const TerrainBlocks& terrain                  = geometry_.terrain;
+        const pl::Camera& camera                      = frame_.cameras[0];
+        const std::vector<const TerrainBlock*> blocks = visible_blocks(terrain, eye_, camera.view, camera.projection);
+        const auto add_layer = [&](const char* label, std::vector<std::uint32_t> TerrainBlock::*layer, int texture,
+                                   int second_texture) -> pl::PipelineState& {
+            const std::size_t first = frame_.indices.size();
+            for (const TerrainBlock* block : blocks) {
+                const std::vector<std::uint32_t>& indices = block->*layer;
+                frame_.indices.insert(frame_.indices.end(), indices.begin(), indices.end());
+            }
+            const TexturedRange range{static_cast<std::uint32_t>(first),
+                                      static_cast<std::uint32_t>(frame_.indices.size() - first), texture};
+            pl::Pass& pass = add_pass(label);
+            set_solid_state(pass.state);
+            use_texture(pass.state);
+            if (range.index_count > 0) pass.draws.emplace_back(draw_of(range, second_texture));
+            return pass.state;
+        };
+        add_layer("walls", &TerrainBlock::walls, terrain.rock_texture, -1);
+        use_detail(add_layer("ground", &TerrainBlock::ground, terrain.ground_texture, terrain.detail_texture));
+        pl::PipelineState& overlays = add_layer("walls over ground", &TerrainBlock::overlays, terrain.rock_texture, -1);
+        blend_by_texture(overlays);
+        overlays.depth.write = false;  // it is there already
     }
 
     void solids(const char* label, const std::vector<TexturedRange>& ranges) {
         if (ranges.empty()) return;
         pl::Pass& pass = add_pass(label);
         set_solid_state(pass.state);
-        use_texture(pass.state, false);
+        use_texture(pass.state);
         for (const TexturedRange& range : ranges) pass.draws.emplace_back(draw_of(range, -1));
     }
 

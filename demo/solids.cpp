@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "demo/noise.h"
+#include "demo/right_triangles.h"
 #include "demo/trigonometry.h"
 
 namespace demo {
@@ -59,8 +60,8 @@ void append_cylinder(SolidMesh& mesh, const Solid& solid) {
     const Vec3 side    = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.7f ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
     const Vec3 other   = glm::cross(side, axis);
     const float widest = std::max(solid.radius, solid.top_radius);
-    const int sides    = widest < 0.5f ? 10 : 32;
-    const int rows     = std::clamp(static_cast<int>(length / 5.0f), 1, 40) + 1;
+    const int sides    = widest < 0.2f ? 6 : widest < 0.5f ? 10 : 32;
+    const int rows     = std::clamp(static_cast<int>(length / 8.0f), 1, 40) + 1;
     const float slope  = (solid.radius - solid.top_radius) / length;
 
     const auto around = [&](int column) {
@@ -102,7 +103,7 @@ void append_cylinder(SolidMesh& mesh, const Solid& solid) {
 // different hardness step in and out, clefts run down its sides, and it narrows towards a broken top.
 struct SpireShape {
     Vec3 low, high;
-    std::uint32_t seed;
+    std::uint32_t seed, top_seed;
 
     // Share of the half size reached at `turn` (0..1 around), `height` (0 foot .. 1 top); cleft: 0..1.
     float reach(float turn, float height, float& cleft) const {
@@ -134,26 +135,32 @@ struct SpireShape {
     }
 };
 
-void append_spire(SolidMesh& mesh, const Solid& solid, const Vec3& low, const Vec3& high) {
-    const SpireShape shape{low, high, solid.seed * 1009u};
-    const Vec3 middle = 0.5f * (low + high), half = 0.5f * (high - low);
-    const float girth  = 3.4f * (half.x + half.z);
-    const int sides    = std::clamp(static_cast<int>(girth / 0.75f), 24, 128);
-    const int rows     = std::clamp(static_cast<int>((high.y - low.y) / 0.9f), 12, 110);
-    const int cap_rows = 7;
-    const auto first   = static_cast<std::uint32_t>(mesh.vertices.size());
-    const int columns  = sides + 1;
+// A tower's points before some are left out: as many rows as columns, the last column being the first once more. Rows
+// count from the middle of the top outwards, then down the side.
+struct SpireGrid {
+    int cells;
+    std::vector<SolidVertex> vertices;
+    SolidVertex& at(int column, int row) { return vertices[static_cast<std::size_t>(row * (cells + 1) + column)]; }
+    const SolidVertex& at(GridPoint p) const {
+        return vertices[static_cast<std::size_t>(p.row * (cells + 1) + p.column)];
+    }
+};
 
-    for (int row = 0; row < rows + cap_rows; ++row) {
-        // Rows count from the middle of the top outwards, then down the side.
-        const float inward = row < cap_rows ? static_cast<float>(row) / static_cast<float>(cap_rows) : 1.0f;
-        const float height =
-            row < cap_rows ? 1.0f : 1.0f - static_cast<float>(row - cap_rows) / static_cast<float>(rows - 1);
-        for (int column = 0; column < columns; ++column) {
+SpireGrid spire_points(const SpireShape& shape, int cells) {
+    const Vec3 low = shape.low, high = shape.high;
+    const Vec3 middle = 0.5f * (low + high), half = 0.5f * (high - low);
+    const float girth = 3.4f * (half.x + half.z);
+    const int cap     = cells / 16;  // rows on the top
+    SpireGrid grid{cells, {}};
+    grid.vertices.reserve(static_cast<std::size_t>((cells + 1) * (cells + 1)));
+    for (int row = 0; row <= cells; ++row) {
+        const float inward = row < cap ? static_cast<float>(row) / static_cast<float>(cap) : 1.0f;
+        const float height = row < cap ? 1.0f : 1.0f - static_cast<float>(row - cap) / static_cast<float>(cells - cap);
+        for (int column = 0; column <= cells; ++column) {
             // The seam is at -z, the side turned away from the camera's start; clockwise from above, so rightwards from
             // outside is counter-clockwise.
-            const float turn   = static_cast<float>(column % sides) / static_cast<float>(sides);
-            const double angle = 2.0 * kPi * (column % sides) / sides;
+            const float turn   = static_cast<float>(column % cells) / static_cast<float>(cells);
+            const double angle = 2.0 * kPi * (column % cells) / cells;
             const auto s = static_cast<float>(-sine(angle)), c = static_cast<float>(-cosine(angle));
             // From a circle towards a rounded square: 1 / (s^4 + c^4)^(1/4) reaches the corners.
             const float square = 1.0f / std::sqrt(std::sqrt(s * s * s * s + c * c * c * c));
@@ -163,36 +170,61 @@ void append_spire(SolidMesh& mesh, const Solid& solid, const Vec3& low, const Ve
             const float z      = std::clamp(c * reach, -1.0f, 1.0f) * inward;
             // The top is broken: some parts have fallen further than others. Nothing rises above the box.
             const float fallen = std::min(0.06f, 0.35f * std::min(half.x, half.z) / (high.y - low.y)) *
-                                 (1.0f + noise(x * 1.9f + 7.3f, z * 1.9f, solid.seed + 40u)) *
+                                 (1.0f + noise(x * 1.9f + 7.3f, z * 1.9f, shape.top_seed)) *
                                  smooth_step(0.75f, 1.0f, height);
             const float y = low.y + (high.y - low.y) * (height - fallen * height);
             const Vec3 p(middle.x + half.x * x, y, middle.z + half.z * z);
-            const float u = girth * static_cast<float>(column) / static_cast<float>(sides);
-            mesh.vertices.push_back(
+            const float u = girth * static_cast<float>(column) / static_cast<float>(cells);
+            grid.vertices.push_back(
                 {p, Vec3(0.0f), {u, -p.y - 0.5f * (1.0f - inward) * half.x}, 1.0f - 0.6f * cleft * inward});
         }
     }
-    const std::size_t first_index = mesh.indices.size();
-    append_grid(mesh, first, columns, rows + cap_rows);
+    return grid;
+}
 
-    // Normals: the sum of the faces around, weighted by area; both sides of the seam are one vertex.
-    for (std::size_t i = first_index; i < mesh.indices.size(); i += 3) {
-        SolidVertex* corner[3] = {&mesh.vertices[mesh.indices[i]], &mesh.vertices[mesh.indices[i + 1]],
-                                  &mesh.vertices[mesh.indices[i + 2]]};
-        const Vec3 face =
-            glm::cross(corner[1]->position - corner[0]->position, corner[2]->position - corner[0]->position);
-        for (SolidVertex* vertex : corner) vertex->normal += face;
-    }
-    for (int row = 0; row < rows + cap_rows; ++row) {
-        SolidVertex& left  = mesh.vertices[first + static_cast<std::uint32_t>(row * columns)];
-        SolidVertex& right = mesh.vertices[first + static_cast<std::uint32_t>(row * columns + sides)];
+// Normals: the sum of the faces around, weighted by area; both sides of the seam are one vertex.
+void set_normals(SpireGrid& grid) {
+    const auto add_face = [](SolidVertex& a, SolidVertex& b, SolidVertex& c) {
+        const Vec3 face = glm::cross(b.position - a.position, c.position - a.position);
+        for (SolidVertex* vertex : {&a, &b, &c}) vertex->normal += face;
+    };
+    for (int row = 0; row < grid.cells; ++row)
+        for (int column = 0; column < grid.cells; ++column) {
+            SolidVertex &corner = grid.at(column, row), &across = grid.at(column + 1, row + 1);
+            add_face(corner, grid.at(column, row + 1), across);
+            add_face(corner, across, grid.at(column + 1, row));
+        }
+    for (int row = 0; row <= grid.cells; ++row) {
+        SolidVertex &left = grid.at(0, row), &right = grid.at(grid.cells, row);
         left.normal = right.normal = left.normal + right.normal;
     }
-    for (std::size_t i = first; i < mesh.vertices.size(); ++i) {
-        Vec3& normal       = mesh.vertices[i].normal;
-        const float length = glm::length(normal);
-        normal             = length > 1e-12f ? normal / length : Vec3(0.0f, 1.0f, 0.0f);
+    for (SolidVertex& vertex : grid.vertices) {
+        const float length = glm::length(vertex.normal);
+        vertex.normal      = length > 1e-12f ? vertex.normal / length : Vec3(0.0f, 1.0f, 0.0f);
     }
+}
+
+void append_spire(SolidMesh& mesh, const Solid& solid, const Vec3& low, const Vec3& high) {
+    const float width  = std::min(high.x - low.x, high.z - low.z);
+    const float around = 1.7f * (high.x - low.x + high.z - low.z);
+    SpireGrid grid     = spire_points({low, high, solid.seed * 1009u, solid.seed + 40u}, around < 60.0f ? 64 : 128);
+    set_normals(grid);
+
+    // What may be left out: bumps, which show in the outline, by the tower's width, and turns of the surface, which
+    // show in its shading, where they are large enough to be seen.
+    const float tolerance_m = 0.016f * width, longest_m = std::max(0.5f * width, 4.0f);
+    const auto middle_error = [&](GridPoint a, GridPoint b, GridPoint m) {
+        const SolidVertex &from = grid.at(a), &to = grid.at(b), &middle = grid.at(m);
+        const float edge = glm::length(to.position - from.position);
+        const float bump = glm::length(middle.position - 0.5f * (from.position + to.position));
+        const float turn = glm::length(middle.normal - 0.5f * (from.normal + to.normal));
+        return std::max({bump / tolerance_m, edge / longest_m, turn * edge / (0.12f * width)});
+    };
+    const TriangleMesh kept = halve_right_triangles(grid.cells, true, middle_error);
+    const auto first        = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const std::uint32_t point : kept.points) mesh.vertices.push_back(grid.vertices[point]);
+    for (const auto& triangle : kept.triangles)
+        for (const std::uint32_t corner : triangle) mesh.indices.push_back(first + corner);
 }
 
 }  // namespace

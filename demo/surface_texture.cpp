@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "demo/desert_floor.h"
 #include "demo/image_file.h"
 #include "demo/rock_texture.h"
 #include "demo/texture_pyramid.h"
@@ -16,6 +17,8 @@ constexpr float kFileTileMeters      = 32.0f;
 pipeline::Texture read_texture(const FileReference& file) {
     try {
         pipeline::ColorImage image = read_image(file.path);
+        // Surfaces are opaque, whatever the file says.
+        for (std::uint32_t& pixel : image.pixels) pixel |= 0xff000000u;
         return texture_pyramid(file.path, image.width, image.height, std::move(image.pixels));
     } catch (const std::runtime_error& error) {
         throw SceneError(file.named_at + ": " + error.what());
@@ -44,9 +47,16 @@ int TextureLibrary::find(const SurfaceTexture& surface) {
     return -1;
 }
 
-int TextureLibrary::variation() {
-    const int known = find_named(kVariationTextureName);
-    return known >= 0 ? known : add(variation_texture(kTextureSeed));
+int TextureLibrary::detail(const SurfaceTexture& surface) {
+    const bool is_sand = surface.kind == SurfaceTexture::Kind::Sand;
+    const int known    = find_named(is_sand ? kDesertFloorTextureName : kVariationTextureName);
+    if (known >= 0) return known;
+    return add(is_sand ? desert_floor_texture(kTextureSeed) : variation_texture(kTextureSeed));
+}
+
+Vec2 TextureLibrary::detail_size(const SurfaceTexture& surface) {
+    if (surface.kind == SurfaceTexture::Kind::Sand) return {kDesertFloorWidth, kDesertFloorHeight};
+    return Vec2(kVariationTile);
 }
 
 Vec2 TextureLibrary::tile_size(const SurfaceTexture& surface, const std::optional<float>& tile_m) {

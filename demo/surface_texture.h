@@ -15,7 +15,9 @@ class TextureLibrary {
 
     // Index of the texture in the geometry; -1 for none. Throws SceneError for a file that cannot be read.
     int find(const SurfaceTexture& surface);
-    int variation();
+    // What the ground's second stage multiplies the surface by, twice: plants and stones for sand, else slow variation.
+    int detail(const SurfaceTexture& surface);
+    static Vec2 detail_size(const SurfaceTexture& surface);
 
     // Metres that one tile covers across and down: given, or the texture's own.
     static Vec2 tile_size(const SurfaceTexture& surface, const std::optional<float>& tile_m);

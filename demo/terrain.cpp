@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "demo/canyon.h"
 #include "demo/image_file.h"
 #include "demo/noise.h"
-#include "demo/rock_texture.h"
 #include "demo/surface_texture.h"
+#include "demo/terrain_layers.h"
 #include "demo/terrain_mesh.h"
-#include "demo/texture_pyramid.h"
 
 namespace demo {
 namespace {
@@ -42,6 +42,10 @@ HeightMap checked_height_map(const FileReference& file) {
         if (!(std::abs(height) <= 1e6f))
             throw SceneError(file.named_at + ": " + file.path + ": holds heights that are not finite");
     return map;
+}
+
+CanyonShape canyon_shape(const Terrain& terrain) {
+    return {terrain.size_m, terrain.height_m, terrain.seed};
 }
 
 // What the mesh and its vertices need to know at every grid point.
@@ -82,55 +86,45 @@ Surface light_surface(const HeightField& field, const Surroundings& around, cons
     return surface;
 }
 
-// How much of a point's colour each layer gives. x, z: walls that face along that axis; z lies over x, x over the
-// ground.
-struct LayerAlpha {
-    float x, z;
-};
-LayerAlpha layer_alpha(const Vec3& normal) {
-    const float wall = 1.0f - smooth_step(0.66f, 0.80f, normal.y);
-    const float x2 = normal.x * normal.x, z2 = normal.z * normal.z;
-    const float share_z = x2 + z2 > 0.0f ? smooth_step(0.35f, 0.65f, z2 / (x2 + z2)) : 0.0f;
-    const float z       = wall * share_z;
-    return {z < 1.0f ? wall * (1.0f - share_z) / (1.0f - z) : 0.0f, z};
+// Rock where it is steep.
+float rock_share(const Vec3& normal) {
+    return 1.0f - smooth_step(0.54f, 0.64f, normal.y);
 }
 
-class TerrainLayers {
-  public:
-    TerrainLayers(SceneGeometry& geometry, const TerrainMesh& mesh, std::vector<pipeline::Vertex> base,
-                  std::vector<LayerAlpha> alphas)
-        : geometry_(geometry), mesh_(mesh), base_(std::move(base)), alphas_(std::move(alphas)) {}
+// Over some metres, so that a wall with all its flutes counts as facing one way.
+bool faces_z(const HeightField& field, const Vec3& p) {
+    constexpr float kReach = 14.0f;
+    const float slope_x    = field.height_at(p.x + kReach, p.z) - field.height_at(p.x - kReach, p.z);
+    const float slope_z    = field.height_at(p.x, p.z + kReach) - field.height_at(p.x, p.z - kReach);
+    return std::abs(slope_z) > std::abs(slope_x);
+}
 
-    // alpha_of(LayerAlpha): the layer's own; needs(a, b, c): whether a triangle with these corners is drawn;
-    // uv_of(position).
-    template <class AlphaOf, class Needs, class UvOf>
-    TexturedRange append(int texture, AlphaOf&& alpha_of, Needs&& needs, UvOf&& uv_of) {
-        std::vector<std::int64_t> copied(base_.size(), -1);
-        const auto first_index = static_cast<std::uint32_t>(geometry_.indices.size());
-        for (const auto& triangle : mesh_.triangles) {
-            if (!needs(alphas_[triangle[0]], alphas_[triangle[1]], alphas_[triangle[2]])) continue;
-            for (const std::uint32_t corner : triangle) {
-                if (copied[corner] < 0) {
-                    pipeline::Vertex vertex   = base_[corner];
-                    const std::uint32_t alpha = to_argb(Vec3(0.0f), alpha_of(alphas_[corner])).value & 0xff000000u;
-                    vertex.diffuse.value      = (vertex.diffuse.value & 0x00ffffffu) | alpha;
-                    vertex.uv0                = uv_of(vertex.position);
-                    vertex.uv1 = Vec2(vertex.position.x + vertex.position.y, vertex.position.z - vertex.position.y) /
-                                 kVariationTile;
-                    copied[corner] = static_cast<std::int64_t>(geometry_.vertices.size());
-                    geometry_.vertices.push_back(vertex);
-                }
-                geometry_.indices.push_back(static_cast<std::uint32_t>(copied[corner]));
-            }
+// Slow changes of colour, too large for a texture that tiles.
+class Tints {
+  public:
+    explicit Tints(const Terrain& terrain) : terrain_(terrain), seed_(terrain.seed * 211u) {}
+
+    Vec3 ground(const Vec3& p, const Vec3& normal) const {
+        const float tone = fractal_noise(p.x / 150.0f, p.z / 150.0f, 3, seed_);
+        Vec3 tint        = Vec3(1.0f + 0.09f * tone, 1.0f + 0.12f * tone, 1.0f + 0.15f * tone);
+        // Debris of the walls on slopes, clean sand in washes.
+        tint *= glm::mix(Vec3(1.0f), Vec3(0.90f, 0.80f, 0.76f), 1.0f - smooth_step(0.78f, 0.94f, normal.y));
+        if (!terrain_.height_map) {
+            const float low  = 1.0f - smooth_step(1.0f, 8.0f, p.y - terrain_.base_y);
+            const float wash = canyon_wash(canyon_shape(terrain_), p.x - terrain_.center.x, p.z - terrain_.center.y);
+            tint *= glm::mix(Vec3(1.0f), Vec3(1.10f, 1.15f, 1.19f), low * wash);
         }
-        return {first_index, static_cast<std::uint32_t>(geometry_.indices.size()) - first_index, texture};
+        return tint;
+    }
+
+    Vec3 rock(const Vec3& p) const {
+        const float tone = fractal_noise(p.x / 80.0f + p.y / 190.0f, p.z / 80.0f - p.y / 190.0f, 3, seed_ + 10u);
+        return {1.0f + 0.14f * tone, 1.0f + 0.17f * tone, 1.0f + 0.19f * tone};
     }
 
   private:
-    SceneGeometry& geometry_;
-    const TerrainMesh& mesh_;
-    std::vector<pipeline::Vertex> base_;
-    std::vector<LayerAlpha> alphas_;
+    const Terrain& terrain_;
+    std::uint32_t seed_;
 };
 
 }  // namespace
@@ -138,7 +132,7 @@ class TerrainLayers {
 HeightField terrain_heights(const Terrain& terrain) {
     const float half = 0.5f * terrain.size_m;
     if (!terrain.height_map) {
-        const CanyonShape shape{terrain.size_m, terrain.height_m, terrain.seed};
+        const CanyonShape shape = canyon_shape(terrain);
         return HeightField(terrain.center, {half, half}, [&](float x, float z) {
             return terrain.base_y + canyon_height(shape, x - terrain.center.x, z - terrain.center.y);
         });
@@ -154,55 +148,36 @@ HeightField terrain_heights(const Terrain& terrain) {
 
 void append_terrain(SceneGeometry& geometry, const Terrain& terrain, const HeightField& field,
                     const Surroundings& around, const cloud::Daylight& light) {
-    const Surface surface  = light_surface(field, around, light);
-    const TerrainMesh mesh = triangulate(field, surface.shade, kHeightTolerance, kShadeTolerance);
+    const Surface surface   = light_surface(field, around, light);
+    const TriangleMesh mesh = triangulate(field, surface.shade, kHeightTolerance, kShadeTolerance);
+    const bool has_rock     = terrain.walls.kind != SurfaceTexture::Kind::None;
+    const Tints tints(terrain);
 
-    std::vector<pipeline::Vertex> base;
-    std::vector<LayerAlpha> alphas;
-    base.reserve(mesh.points.size());
-    alphas.reserve(mesh.points.size());
+    std::vector<TerrainPoint> points;
+    points.reserve(mesh.points.size());
     for (const std::uint32_t index : mesh.points) {
-        const int column = static_cast<int>(index) % HeightField::kPoints,
-                  row    = static_cast<int>(index) / HeightField::kPoints;
-        pipeline::Vertex vertex;
-        vertex.position = field.point(column, row);
-        vertex.normal   = field.normal(column, row);
-        vertex.diffuse  = to_argb(light_of_day(light, vertex.normal, surface.sun[index], surface.sky[index]));
-        base.push_back(vertex);
-        alphas.push_back(layer_alpha(vertex.normal));
+        const int column = static_cast<int>(index) % HeightField::kPoints;
+        const int row    = static_cast<int>(index) / HeightField::kPoints;
+        const Vec3 p = field.point(column, row), normal = field.normal(column, row);
+        const Vec3 arrives = light_of_day(light, normal, surface.sun[index], surface.sky[index]);
+        points.push_back({.column       = column,
+                          .row          = row,
+                          .position     = p,
+                          .normal       = normal,
+                          .ground_light = arrives * tints.ground(p, normal),
+                          .rock_light   = arrives * tints.rock(p),
+                          .rock         = has_rock ? rock_share(normal) : 0.0f,
+                          .faces_z      = faces_z(field, p)});
     }
 
     TextureLibrary textures(geometry);
-    const int ground = textures.find(terrain.ground), walls = textures.find(terrain.walls);
-    geometry.variation   = textures.variation();
-    const Vec2 ground_m  = textures.tile_size(terrain.ground, terrain.ground_tile_m);
-    const Vec2 walls_m   = textures.tile_size(terrain.walls, terrain.walls_tile_m);
-    const bool has_walls = terrain.walls.kind != SurfaceTexture::Kind::None;
-
-    TerrainLayers layers(geometry, mesh, std::move(base), std::move(alphas));
-    // Hidden by a wall layer that is opaque at all three corners.
-    const auto shows_ground = [&](const LayerAlpha& a, const LayerAlpha& b, const LayerAlpha& c) {
-        return !has_walls ||
-               !((a.x >= 1.0f && b.x >= 1.0f && c.x >= 1.0f) || (a.z >= 1.0f && b.z >= 1.0f && c.z >= 1.0f));
-    };
-    geometry.ground = layers.append(
-        ground, [](const LayerAlpha&) { return 1.0f; }, shows_ground,
-        [&](const Vec3& p) { return Vec2(p.x, p.z) / ground_m; });
-    if (!has_walls) return;
-    // y runs up, v down.
-    geometry.walls.push_back(layers.append(
-        walls, [](const LayerAlpha& own) { return own.x; },
-        [](const LayerAlpha& a, const LayerAlpha& b, const LayerAlpha& c) {
-            const bool hidden = a.z >= 1.0f && b.z >= 1.0f && c.z >= 1.0f;
-            return !hidden && (a.x > 0.0f || b.x > 0.0f || c.x > 0.0f);
-        },
-        [&](const Vec3& p) { return Vec2(p.z, -p.y) / walls_m; }));
-    geometry.walls.push_back(layers.append(
-        walls, [](const LayerAlpha& own) { return own.z; },
-        [](const LayerAlpha& a, const LayerAlpha& b, const LayerAlpha& c) {
-            return a.z > 0.0f || b.z > 0.0f || c.z > 0.0f;
-        },
-        [&](const Vec3& p) { return Vec2(p.x, -p.y) / walls_m; }));
+    const TerrainTiles tiles{.ground_m = textures.tile_size(terrain.ground, terrain.ground_tile_m),
+                             .detail_m = textures.detail_size(terrain.ground),
+                             .rock_m   = textures.tile_size(terrain.walls, terrain.walls_tile_m)};
+    geometry.terrain                = append_terrain_blocks(geometry.vertices, field, mesh, points, tiles);
+    geometry.terrain.ground_texture = textures.find(terrain.ground);
+    geometry.terrain.detail_texture = textures.detail(terrain.ground);
+    geometry.terrain.rock_texture   = textures.find(terrain.walls);
 }
 
 }  // namespace demo

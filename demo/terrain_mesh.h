@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: MIT
-// A height field as few triangles: right triangles, halved wherever the halves would differ in shape or light by more
-// than the tolerance. An edge is split from both sides or from neither, so the mesh has no cracks and no T-junctions.
-// Source: Evans, Kirkpatrick & Townsend, "Right-Triangulated Irregular Networks", Algorithmica 30, 2001.
+// A height field as few triangles: fine where shape or light change, coarser with the distance from the middle.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <vector>
 
 #include "demo/height_field.h"
+#include "demo/right_triangles.h"
 
 namespace demo {
 
-// points: indices row * HeightField::kPoints + column of the grid points used. triangles: indices into points,
-// counter-clockwise seen from above.
-struct TerrainMesh {
-    std::vector<std::uint32_t> points;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-};
+// No triangle spans more grid cells than this, nor crosses a line between two blocks of so many: fog and light are
+// linear across a triangle, and blocks are drawn or left out as a whole.
+inline constexpr int kLongestEdge = 16;
 
-// shade: brightness 0..1 at each grid point. height_tolerance_m holds within 100 m of the middle and grows with the
-// distance.
-TerrainMesh triangulate(const HeightField& field, const std::vector<float>& shade, float height_tolerance_m,
-                        float shade_tolerance);
+// Triangles counter-clockwise seen from above. shade: brightness 0..1 at each grid point. height_tolerance_m holds
+// within 100 m of the middle and grows with the distance.
+TriangleMesh triangulate(const HeightField& field, const std::vector<float>& shade, float height_tolerance_m,
+                         float shade_tolerance);
 
 }  // namespace demo

@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
 
-// Writes the mask of one block and counts it; keeps the block if a pixel is in.
+// Keeps the block whose mask was just written, if a pixel is in.
 HWY_INLINE void keep_block(int x, int y, int inside, FragmentBatch& batch, std::uint64_t& covered) {
     if (inside == 0) return;
     batch.at[batch.count] = {x, y};

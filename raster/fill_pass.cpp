@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "raster/fill_pass.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <span>
 
 #include "raster/bin.h"
 #include "raster/fill_plan.h"
 #include "raster/fill_tile.h"
-#include "raster/thread_arena.h"
 
 namespace raster {
 namespace {
@@ -20,19 +20,46 @@ struct Part {
     const FillPlan* plan;
     std::span<const Triangle> triangles;
     std::span<const Rectangle> rectangles;
+    std::size_t entries_at_most;
     std::vector<SetUpTriangle> set_up_triangles;
     std::vector<SetUpRectangle> set_up_rectangles;
     std::vector<Command> commands;
 };
-constexpr std::size_t kPartSize = 512;
+
+// Large primitives fall into many tiles each. These bound what is set up at a time: of a part by a task, of a pass before
+// its tiles are filled.
+constexpr std::size_t kPartPrimitives = 512;
+constexpr std::size_t kPartEntries    = 1 << 16;
+constexpr std::size_t kWaveEntries    = 1 << 22;
+
+Rect box(const Rectangle& r) {
+    return {static_cast<int>(std::floor(r.x0)), static_cast<int>(std::floor(r.y0)),
+            static_cast<int>(std::floor(r.x1)) + 1, static_cast<int>(std::floor(r.y1)) + 1};
+}
+Rect box(const Triangle& t) {
+    const auto [x0, x1] = std::minmax({t[0].x, t[1].x, t[2].x});
+    const auto [y0, y1] = std::minmax({t[0].y, t[1].y, t[2].y});
+    return box(Rectangle{.x0 = x0, .y0 = y0, .x1 = x1, .y1 = y1, .uv = {}});
+}
 
 template <class Primitive>
 void split(const std::vector<Primitive>& primitives, const FillPlan& plan, std::span<const Primitive> Part::*member,
-           std::vector<Part>& parts) {
-    for (std::size_t first = 0; first < primitives.size(); first += kPartSize) {
-        Part& part   = parts.emplace_back();
-        part.plan    = &plan;
-        part.*member = std::span(primitives).subspan(first, std::min(kPartSize, primitives.size() - first));
+           const Rect& scissor, const TileGrid& grid, std::vector<Part>& parts) {
+    std::size_t first = 0, entries = 0;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const Rect pixels = intersect(box(primitives[i]), scissor);
+        if (!pixels.empty()) {
+            const Rect tiles = grid.tiles_touched(pixels);
+            entries += static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
+        }
+        const std::size_t count = i + 1 - first;
+        if (count < kPartPrimitives && entries < kPartEntries && i + 1 < primitives.size()) continue;
+        Part& part           = parts.emplace_back();
+        part.plan            = &plan;
+        part.*member         = std::span(primitives).subspan(first, count);
+        part.entries_at_most = entries;
+        first                = i + 1;
+        entries              = 0;
     }
 }
 
@@ -71,26 +98,18 @@ std::vector<int> tile_order(int count, std::uint32_t seed) {
     return order;
 }
 
-FillCounts fill(const PassFill& pass, const FillOptions& options) {
-    std::vector<FillPlan> plans;
-    plans.reserve(pass.draws.size());
-    std::vector<Part> parts;
-    for (const Draw& draw : pass.draws) {
-        const FillPlan& plan = plans.emplace_back(plan_fill(draw.state, pass.color != nullptr, pass.depth_bits));
-        split(draw.triangles, plan, &Part::triangles, parts);
-        split(draw.rectangles, plan, &Part::rectangles, parts);
-    }
-    const TileGrid grid(pass.scissor);
+// Sets up, bins and fills a run of parts.
+FillCounts fill_wave(std::span<Part> parts, const PassFill& pass, const TileGrid& grid, const std::vector<int>& order) {
     std::vector<std::vector<TileEntry>> entries(parts.size());
     tbb::parallel_for(std::size_t{0}, parts.size(),
                       [&](std::size_t i) { set_up_and_bin(parts[i], pass.scissor, grid, entries[i]); });
     const Bins bins(grid.count(), entries);
 
-    const std::vector<int> order = tile_order(grid.count(), options.tile_order_seed);
     std::vector<FillCounts> counts(order.size());
     tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {
         counts[i] = fill_tile(bins.commands(order[i]), grid.tile(order[i]), pass.color, pass.depth);
     });
+    for (Part& part : parts) part = {};
     FillCounts total;
     for (const FillCounts& tile : counts) total += tile;
     return total;
@@ -100,7 +119,25 @@ FillCounts fill(const PassFill& pass, const FillOptions& options) {
 
 FillCounts fill_pass(const PassFill& pass, const FillOptions& options) {
     if (pass.scissor.empty()) return {};
-    return ThreadArena(options.threads).run([&] { return fill(pass, options); });
+    const TileGrid grid(pass.scissor);
+    std::vector<FillPlan> plans;
+    plans.reserve(pass.draws.size());
+    std::vector<Part> parts;
+    for (const Draw& draw : pass.draws) {
+        const FillPlan& plan = plans.emplace_back(plan_fill(draw.state, pass.color != nullptr, pass.depth_bits));
+        split(draw.triangles, plan, &Part::triangles, pass.scissor, grid, parts);
+        split(draw.rectangles, plan, &Part::rectangles, pass.scissor, grid, parts);
+    }
+    const std::vector<int> order = tile_order(grid.count(), options.tile_order_seed);
+    FillCounts total;
+    for (std::size_t first = 0; first < parts.size();) {
+        std::size_t end = first, entries = 0;
+        while (end < parts.size() && (end == first || entries + parts[end].entries_at_most <= kWaveEntries))
+            entries += parts[end++].entries_at_most;
+        total += fill_wave(std::span(parts).subspan(first, end - first), pass, grid, order);
+        first = end;
+    }
+    return total;
 }
 
 void fill_rect(Image& image, const Rect& rect, std::uint32_t value) {

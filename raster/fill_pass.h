@@ -33,12 +33,12 @@ struct PassFill {
     std::vector<Draw> draws;
 };
 
-// threads: 0 for all cores. tile_order_seed: not 0 shuffles the order in which tiles are taken, for tests.
+// tile_order_seed: not 0 shuffles the order in which tiles are taken, for tests.
 struct FillOptions {
-    int threads                   = 0;
     std::uint32_t tile_order_seed = 0;
 };
 
+// Uses the threads of the arena it is called in (thread_arena.h).
 FillCounts fill_pass(const PassFill& pass, const FillOptions& options = {});
 
 // Sets the pixels of `rect` that lie within the image.

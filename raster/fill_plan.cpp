@@ -4,20 +4,13 @@
 namespace raster {
 namespace {
 
-bool reads(const Combine& combine, CombineArg::Source source) {
-    return combine.a.source == source || (combine.op != CombineOp::Select && combine.b.source == source);
-}
-
-bool reads(const FillState& state, CombineArg::Source source) {
-    for (int i = 0; i < state.stage_count; ++i)
-        if (reads(state.stages[i].color, source) || reads(state.stages[i].alpha, source)) return true;
-    return false;
+bool any_stage_reads(const FillState& state, CombineArg::Source source) {
+    return reads(state, 0, source) || reads(state, 1, source);
 }
 
 bool reads_diffuse(const FillState& state) {
     using enum CombineArg::Source;
-    if (state.stage_count == 0 || reads(state, Diffuse)) return true;
-    return reads(state.stages[0].color, Current) || reads(state.stages[0].alpha, Current);
+    return state.stage_count == 0 || any_stage_reads(state, Diffuse) || reads(state, 0, Current);
 }
 
 }  // namespace
@@ -32,10 +25,9 @@ FillPlan plan_fill(const FillState& state, bool has_color, int depth_bits) {
     plan.uses_color   = plan.writes_color || state.alpha_func != Compare::Always;
 
     plan.needs.depth   = plan.uses_depth;
-    plan.needs.flat    = state.flat;
     plan.needs.diffuse = plan.uses_color && reads_diffuse(state);
     plan.needs.specular =
-        plan.uses_color && (state.add_specular || state.fog || reads(state, CombineArg::Source::Specular));
+        plan.uses_color && (state.add_specular || state.fog || any_stage_reads(state, CombineArg::Source::Specular));
 
     plan.cover           = cover_kernels();
     plan.interpolate     = interpolate_kernels();
@@ -45,7 +37,7 @@ FillPlan plan_fill(const FillState& state, bool has_color, int depth_bits) {
     plan.blend_constants = {state.source_factor, state.dest_factor, state.write_mask};
     plan.blend           = blend_kernel(plan.blend_constants);
     for (int i = 0; i < kMaxTextures; ++i) {
-        if (!reads_texel(state, i)) continue;
+        if (!reads(state, i, CombineArg::Source::Texel)) continue;
         SamplePlan& sampler = plan.samplers[i] = plan_sampler(state.samplers[i]);
         const auto texels                      = static_cast<std::uint64_t>(sampler.texels_per_fragment());
         plan.texels_per_fragment += texels;

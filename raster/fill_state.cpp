@@ -2,19 +2,16 @@
 #include "raster/fill_state.h"
 
 namespace raster {
-
 namespace {
 
-bool reads_texel(const Combine& combine) {
-    const auto is_texel = [](const CombineArg& arg) { return arg.source == CombineArg::Source::Texel; };
-    return is_texel(combine.a) || (combine.op != CombineOp::Select && is_texel(combine.b));
+bool reads(const Combine& combine, CombineArg::Source source) {
+    return combine.a.source == source || (combine.op != CombineOp::Select && combine.b.source == source);
 }
 
 }  // namespace
 
-bool reads_texel(const FillState& state, int i) {
-    if (i < 0 || i >= state.stage_count || i >= kMaxTextures) return false;
-    return reads_texel(state.stages[i].color) || reads_texel(state.stages[i].alpha);
+bool reads(const FillState& state, int i, CombineArg::Source source) {
+    return i < state.stage_count && (reads(state.stages[i].color, source) || reads(state.stages[i].alpha, source));
 }
 
 }  // namespace raster

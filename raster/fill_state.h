@@ -63,7 +63,6 @@ struct FillState {
     std::array<CombineStage, kMaxTextures> stages;
     std::array<Sampler, kMaxTextures> samplers;
     std::uint32_t constant  = 0xffffffff;
-    bool flat               = false;
     bool add_specular       = false;
     bool fog                = false;
     std::uint32_t fog_color = 0;  // alpha unused
@@ -78,7 +77,7 @@ struct FillState {
     std::uint32_t write_mask  = 0xffffffff;  // 0 leaves the colour target alone
 };
 
-// Does any stage of `state` read the texel of sampler `i`?
-bool reads_texel(const FillState& state, int i);
+// Does stage `i` read `source`, in colour or in alpha?
+bool reads(const FillState& state, int i, CombineArg::Source source);
 
 }  // namespace raster

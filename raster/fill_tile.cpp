@@ -68,9 +68,15 @@ class TileFill {
             color_rectangle(plan, *command.rectangle);
         else
             color_triangle(plan, *command.triangle);
-        if (plan.state.stage_count == 0) std::copy_n(batch_.diffuse.lanes, batch_.count * kBlockWidth, batch_.color.lanes);
+        if (plan.state.stage_count == 0)
+            std::copy_n(batch_.diffuse.lanes, batch_.count * kBlockWidth, batch_.color.lanes);
+        // Below about three live lanes of four, moving them is cheaper than reading textures for the dead ones.
+        if (command.triangle && (plan.sample[0] || plan.sample[1]))
+            plan.pack(batch_, 4 * alive_ > 3 * batch_lanes(), packed_);
         for (int i = 0; i < plan.state.stage_count; ++i) {
-            if (plan.sample[i]) sample(command, i);
+            if (plan.sample[i])
+                command.rectangle ? sample_rectangle(plan, *command.rectangle, i)
+                                  : sample_triangle(plan, *command.triangle, i);
             plan.combine.stage(plan.state.stages[i], i, plan.state.constant, batch_);
         }
         if (plan.state.add_specular) plan.combine.add_specular(batch_);
@@ -92,29 +98,24 @@ class TileFill {
             make(triangle.specular_varies, triangle.specular, triangle.flat_specular, batch_.specular);
     }
 
-    void sample(const Command& command, int i) {
-        const FillPlan& plan      = *command.plan;
+    void sample_rectangle(const FillPlan& plan, const SetUpRectangle& rectangle, int i) {
         const SamplePlan& sampler = plan.samplers[i];
-        const auto everywhere     = [&](SampleKernel kernel) {
-            kernel(sampler, batch_.points, batch_.mask, batch_.count, batch_.texel[i]);
-        };
-        if (command.rectangle) {
-            if (plan.needs.texture[i])
-                plan.interpolate.rectangle_uv(command.rectangle->textures[i], sampler.lod_max(), batch_);
-            return everywhere(plan.sample_rectangle[i]);
-        }
-        if (plan.needs.texture[i])
-            plan.interpolate.triangle_uv(command.triangle->textures[i], sampler.lod_max(), batch_);
-        const auto lanes = static_cast<std::uint64_t>(batch_.count) * kBlockWidth;
-        if (4 * alive_ > 3 * lanes) return everywhere(plan.sample[i]);
-
-        plan.pack(batch_, packed_);
-        plan.sample[i](sampler, packed_.points, packed_.mask, packed_.blocks(), packed_.texel);
-        std::uint32_t* const texels      = batch_.texel[i].lanes;
-        const std::uint32_t* const index = packed_.index.lanes;
-        const std::uint32_t* const read  = packed_.texel.lanes;
-        for (int lane = 0; lane < packed_.lanes; ++lane) texels[index[lane]] = read[lane];
+        if (plan.needs.texture[i]) plan.interpolate.rectangle_uv(rectangle.textures[i], sampler.lod_max(), batch_);
+        plan.sample_rectangle[i](sampler, batch_.points, batch_.count, batch_.texel[i]);
     }
+
+    void sample_triangle(const FillPlan& plan, const SetUpTriangle& triangle, int i) {
+        const SamplePlan& sampler = plan.samplers[i];
+        if (plan.needs.texture[i])
+            plan.interpolate.triangle_uv(triangle.textures[i], sampler.lod_max(), batch_, packed_);
+        const bool in_place = static_cast<std::uint64_t>(packed_.lanes) == batch_lanes();
+        plan.sample[i](sampler, packed_.points, packed_.blocks(), in_place ? batch_.texel[i] : packed_.texel);
+        if (in_place) return;
+        for (int lane = 0; lane < packed_.lanes; ++lane)
+            batch_.texel[i].lanes[packed_.index.lanes[lane]] = packed_.texel.lanes[lane];
+    }
+
+    std::uint64_t batch_lanes() const { return static_cast<std::uint64_t>(batch_.count) * kBlockWidth; }
 
     Image* color_;
     Image* depth_;

@@ -38,14 +38,14 @@ struct alignas(64) FragmentBatch {
     int count = 0;  // blocks
 };
 
-// The points of a batch's live lanes, moved together: small triangles leave most lanes of a block dead, and reading a texture is
-// the dearest step. index says which lane of the batch (block * 16 + lane) a point came from.
+// The lanes of a batch that read a texture: all of them, or the live ones moved together, since small triangles leave
+// most lanes of a block dead, and reading a texture is the dearest step. index says which lane of the batch
+// (block * 16 + lane) each is.
 struct alignas(64) PackedPoints {
-    SamplePoints points;
-    BlockRows<std::uint32_t> mask;
-    BlockRows<std::uint32_t> texel;
     BlockRows<std::uint32_t> index;
-    int lanes = 0;
+    SamplePoints points;
+    BlockRows<std::uint32_t> texel;
+    int lanes = 0;  // the last block is padded with repetitions
     int blocks() const { return (lanes + kBlockWidth - 1) / kBlockWidth; }
 };
 

@@ -35,14 +35,15 @@ void interpolate_depth(const SetUpTriangle& triangle, int depth_bits, FragmentBa
 
 void interpolate_color(const std::array<Plane, 4>& planes, FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
     // Blue and red, green and alpha, as pairs of 16-bit lanes in 8.7 fixed point.
-    const auto pair = [](std::int32_t low, std::int32_t high) {
-        return (static_cast<std::uint32_t>(low) & 0xffff) | static_cast<std::uint32_t>(high) << 16;
+    const auto pair = [](std::uint32_t low, std::uint32_t high) { return (low & 0xffff) | high << 16; };
+    const auto step = [&](int channel) {
+        return static_cast<std::uint32_t>(read_plane<kColorDrop>(planes[channel].dx));
     };
-    const auto step  = [&](int channel) { return read_plane<kColorDrop>(planes[channel].dx); };
     const VU step_lo = set(pair(step(0), step(2))), step_hi = set(pair(step(1), step(3)));
     for (int block = 0; block < batch.count; ++block) {
         const auto start = [&](int channel) {
-            return read_plane<kColorDrop>(planes[channel].at(batch.at[block].x, batch.at[block].y)) + 64;
+            const std::uint64_t plane = planes[channel].at(batch.at[block].x, batch.at[block].y);
+            return static_cast<std::uint32_t>(read_plane<kColorDrop>(plane)) + 64;
         };
         const VU start_lo = set(pair(start(0), start(2))), start_hi = set(pair(start(1), start(3)));
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
@@ -59,30 +60,57 @@ HWY_INLINE VI floor_to_int(VF value) {
     return hn::ConvertTo(DI(), hn::Floor(hn::Min(hn::Max(value, hn::Set(DF(), -kLimit)), hn::Set(DF(), kLimit))));
 }
 
-void triangle_uv(const TexturePlanes& planes, int lod_max, FragmentBatch& batch) {
+// table[i], of one number for each block.
+HWY_INLINE VI look_up(const std::int32_t* table, VI i) {
+    static_assert(kBatchBlocks == 16);
+#if HWY_TARGET <= HWY_AVX3
+    return hn::TableLookupLanes(hn::Load(DI(), table), hn::IndicesFromVec(DI(), i));
+#elif HWY_TARGET == HWY_AVX2
+    const auto in_half = hn::IndicesFromVec(DI(), hn::And(i, seti(7)));
+    return hn::IfThenElse(hn::Gt(i, seti(7)), hn::TableLookupLanes(hn::Load(DI(), table + 8), in_half),
+                          hn::TableLookupLanes(hn::Load(DI(), table), in_half));
+#else
+    return hn::GatherIndex(DI(), table, i);
+#endif
+}
+
+// A plane at any lanes of a batch: its value at the first pixel of the lane's block, plus lane * step.
+class PlaneOverBatch {
+  public:
+    HWY_INLINE PlaneOverBatch(const Plane& plane, const FragmentBatch& batch)
+        : step_(read_plane<kTextureDrop>(plane.dx)) {
+        for (int block = 0; block < batch.count; ++block)
+            starts_[block] = read_plane<kTextureDrop>(plane.at(batch.at[block].x, batch.at[block].y));
+    }
+    HWY_INLINE VI at(VI block, VI lane) const { return hn::Add(look_up(starts_, block), hn::Mul(lane, seti(step_))); }
+
+  private:
+    alignas(64) std::int32_t starts_[kBatchBlocks];
+    std::int32_t step_;
+};
+
+void triangle_uv(const TexturePlanes& planes, int lod_max, const FragmentBatch& batch, PackedPoints& packed) {
     const VF ku = hn::Set(DF(), planes.scale_u), kv = hn::Set(DF(), planes.scale_v), texel = hn::Set(DF(), 256.0f);
-    for (int block = 0; block < batch.count; ++block) {
-        const int x = batch.at[block].x, y = batch.at[block].y;
-        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-            const VF s = hn::ConvertTo(DF(), plane_lanes<kTextureDrop>(planes.s, x, y, lane));
-            const VF t = hn::ConvertTo(DF(), plane_lanes<kTextureDrop>(planes.t, x, y, lane));
-            const VF q = hn::ConvertTo(DF(), hn::Max(plane_lanes<kTextureDrop>(planes.q, x, y, lane), seti(1)));
-            const VF r = hn::Div(hn::Set(DF(), 1.0f), q);
-            const VF u = hn::Mul(s, r), v = hn::Mul(t, r);
-            hn::Store(floor_to_int(hn::Mul(hn::Mul(u, ku), texel)), DI(), batch.points.u[block] + lane);
-            hn::Store(floor_to_int(hn::Mul(hn::Mul(v, kv), texel)), DI(), batch.points.v[block] + lane);
-            if (lod_max == 0) continue;
-            const auto change = [&](float step, VF coordinate, float step_q, VF scale) HWY_ATTR {
-                const VF difference = hn::Sub(hn::Set(DF(), step), hn::Mul(coordinate, hn::Set(DF(), step_q)));
-                return hn::Mul(hn::Mul(difference, r), scale);
-            };
-            const VF ux = change(planes.sx, u, planes.qx, ku), vx = change(planes.tx, v, planes.qx, kv);
-            const VF uy = change(planes.sy, u, planes.qy, ku), vy = change(planes.ty, v, planes.qy, kv);
-            const VF rho2 =
-                hn::Max(hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx)), hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy)));
-            const VI log = hn::ShiftRight<16>(hn::Sub(hn::BitCast(DI(), rho2), seti(0x3f800000)));
-            hn::Store(hn::Min(hn::Max(log, seti(0)), seti(lod_max)), DI(), batch.points.lod[block] + lane);
-        }
+    const PlaneOverBatch plane_s(planes.s, batch), plane_t(planes.t, batch), plane_q(planes.q, batch);
+    for (int i = 0; i < packed.blocks() * kBlockWidth; i += lane_count()) {
+        const VI index = hn::BitCast(DI(), hn::Load(DU(), packed.index.lanes + i));
+        const VI block = hn::ShiftRight<4>(index), lane = hn::And(index, seti(kBlockWidth - 1));
+        const VF s = hn::ConvertTo(DF(), plane_s.at(block, lane)), t = hn::ConvertTo(DF(), plane_t.at(block, lane));
+        const VF q = hn::ConvertTo(DF(), hn::Max(plane_q.at(block, lane), seti(1)));
+        const VF r = hn::Div(hn::Set(DF(), 1.0f), q);
+        const VF u = hn::Mul(s, r), v = hn::Mul(t, r);
+        hn::Store(floor_to_int(hn::Mul(hn::Mul(u, ku), texel)), DI(), packed.points.u.lanes + i);
+        hn::Store(floor_to_int(hn::Mul(hn::Mul(v, kv), texel)), DI(), packed.points.v.lanes + i);
+        if (lod_max == 0) continue;
+        const auto change = [&](float step, VF coordinate, float step_q, VF scale) HWY_ATTR {
+            const VF difference = hn::Sub(hn::Set(DF(), step), hn::Mul(coordinate, hn::Set(DF(), step_q)));
+            return hn::Mul(hn::Mul(difference, r), scale);
+        };
+        const VF ux = change(planes.sx, u, planes.qx, ku), vx = change(planes.tx, v, planes.qx, kv);
+        const VF uy = change(planes.sy, u, planes.qy, ku), vy = change(planes.ty, v, planes.qy, kv);
+        const VF rho2 = hn::Max(hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx)), hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy)));
+        const VI log  = hn::ShiftRight<16>(hn::Sub(hn::BitCast(DI(), rho2), seti(0x3f800000)));
+        hn::Store(hn::Min(hn::Max(log, seti(0)), seti(lod_max)), DI(), packed.points.lod.lanes + i);
     }
 }
 

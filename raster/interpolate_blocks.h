@@ -14,17 +14,12 @@ namespace raster {
 struct InterpolateKernels {
     void (*depth)(const SetUpTriangle& triangle, int depth_bits, FragmentBatch& batch);
     void (*color)(const std::array<Plane, 4>& planes, FragmentBatch& batch, BlockRows<std::uint32_t>& out);
-    // batch.points: u, v; and lod, limited to lod_max, if that is greater than 0.
-    void (*triangle_uv)(const TexturePlanes& planes, int lod_max, FragmentBatch& batch);
+    // u, v at the listed lanes; and lod, limited to lod_max, if that is greater than 0.
+    void (*triangle_uv)(const TexturePlanes& planes, int lod_max, const FragmentBatch& batch, PackedPoints& packed);
     void (*rectangle_uv)(const SetUpRectangle::Texture& texture, int lod_max, FragmentBatch& batch);
     void (*constant)(std::uint32_t value, FragmentBatch& batch, BlockRows<std::uint32_t>& out);
 };
 InterpolateKernels interpolate_kernels();  // for this processor
-
-// Of a format with `bits` bits, from the 30 bits that are interpolated.
-constexpr std::uint32_t to_depth_format(std::uint32_t depth, int bits) {
-    return bits == 32 ? depth << 2 | depth >> 28 : depth >> (kDepthBits - bits);
-}
 
 // The level of detail of a rectangle, the same for all its pixels.
 std::int32_t rectangle_lod(const SetUpRectangle::Texture& texture, int lod_max);

@@ -67,6 +67,13 @@ HWY_INLINE VU sub_saturated16(VU a, VU b) {
 HWY_INLINE VU min16(VU a, VU b) {
     return each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return x < y ? x : y; });
 }
+HWY_INLINE VU if_less16(VU a, VU b, VU yes) {  // a < b ? yes : 0
+    return hn::And(each_half(a, b, [](std::uint32_t x, std::uint32_t y) { return x < y ? 0xffff : 0; }), yes);
+}
+template <int kBits>
+HWY_INLINE VU shift_right16(VU a) {
+    return each_half(a, a, [](std::uint32_t x, std::uint32_t) { return x >> kBits; });
+}
 template <int kBits>
 HWY_INLINE VU shift_right_signed16(VU a) {
     return each_half(a, a, [](std::uint32_t x, std::uint32_t) {
@@ -104,6 +111,14 @@ HWY_INLINE VU sub_saturated16(VU a, VU b) {
 HWY_INLINE VU min16(VU a, VU b) {
     return whole(hn::Min(halves(a), halves(b)));
 }
+HWY_INLINE VU if_less16(VU a, VU b, VU yes) {
+    const auto at_least = hn::Eq(hn::SaturatedSub(halves(b), halves(a)), hn::Zero(DU16()));
+    return whole(hn::IfThenZeroElse(at_least, halves(yes)));
+}
+template <int kBits>
+HWY_INLINE VU shift_right16(VU a) {
+    return whole(hn::ShiftRight<kBits>(halves(a)));
+}
 template <int kBits>
 HWY_INLINE VU shift_right_signed16(VU a) {
     return whole(hn::ShiftRight<kBits>(hn::BitCast(DI16(), a)));
@@ -130,8 +145,7 @@ struct Pixels {
     VU lo, hi;
 };
 HWY_INLINE Pixels unpack(VU argb) {
-    const VU bytes = set_pair(0xff);
-    return {hn::And(argb, bytes), hn::And(hn::ShiftRight<8>(argb), bytes)};
+    return {hn::And(argb, set_pair(0xff)), shift_right16<8>(argb)};
 }
 HWY_INLINE VU pack(Pixels p) {
     return hn::Or(p.lo, hn::ShiftLeft<8>(p.hi));
@@ -143,9 +157,9 @@ HWY_INLINE VU alpha_pair(Pixels p) {
     return hn::Or(a, hn::ShiftLeft<16>(a));
 }
 
-// 0, 1, 2, .. on lanes that start at pixel `first` of a block.
+// first, first + 1, first + 2, .. : a constant and a sum, for an Iota from a variable goes through memory.
 HWY_INLINE VI lane_index(int first) {
-    return hn::Iota(DI(), first);
+    return hn::Add(hn::Iota(DI(), 0), seti(first));
 }
 HWY_INLINE VU lane_index_pair(int first) {
     const VU i = hn::BitCast(DU(), lane_index(first));

@@ -24,12 +24,18 @@
 // At a covered pixel a value lies within its vertices' range but for the rounding of step (8 at most) and that of gx
 // and gy (2^20 / 2^S at most), so lanes of 16 bits (colour) and 32 bits (the others) hold it, whatever the same sum is
 // elsewhere modulo their size.
-// Flat shading gives every pixel the bytes of vertex 0, of fog as well.
 // The depth of a format with n bits is value >> (30 - n) for n <= 30, and value * 4 + (value >> 28) for n = 32.
 #pragma once
 
 #include <array>
+#include <cfloat>
+#include <cmath>
 #include <cstdint>
+
+#ifdef __FAST_MATH__
+#error "these rules need IEEE arithmetic"
+#endif
+static_assert(FLT_EVAL_METHOD == 0, "these rules need float operations that round to float");
 
 namespace raster {
 
@@ -39,7 +45,23 @@ inline constexpr float kMaxCoordinate = 16384.0f;  // pixels, either side of 0
 inline constexpr int kDepthBits       = 30;        // of interpolated depth
 inline constexpr int kMaxTextures     = 2;
 
-// Homogeneous: the texture is read at (s/q, t/q), where 0..1 spans it. Finite, and less than 2^40 times rhw.
+// Of a depth in 0..1, and of that in a format with `bits` bits.
+inline std::uint32_t depth_value(float z) {
+    return static_cast<std::uint32_t>(std::nearbyint(static_cast<double>(z) * ((1 << kDepthBits) - 1)));
+}
+constexpr std::uint32_t to_depth_format(std::uint32_t depth, int bits) {
+    return bits == 32 ? depth << 2 | depth >> 28 : depth >> (kDepthBits - bits);
+}
+
+struct Subpixel {
+    std::int64_t x = 0, y = 0;
+};
+inline Subpixel snap_to_subpixels(float x, float y) {
+    return {static_cast<std::int64_t>(std::nearbyint(x * float{kSubpixels})),
+            static_cast<std::int64_t>(std::nearbyint(y * float{kSubpixels}))};
+}
+
+// Homogeneous: the texture is read at (s/q, t/q), where 0..1 spans it. Times rhw, each is less than 2^40.
 struct TexCoord {
     float s = 0.0f, t = 0.0f, q = 1.0f;
 };

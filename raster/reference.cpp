@@ -16,7 +16,7 @@ using namespace reference;
 
 // Whether the texel of sampler i comes from its levels.
 bool reads_levels(const FillState& state, int i) {
-    return reads_texel(state, i) && !state.samplers[i].levels.empty();
+    return reads(state, i, CombineArg::Source::Texel) && !state.samplers[i].levels.empty();
 }
 
 // What the primitives give at a covered pixel. depth: kDepthBits bits. points: where a texture is read.
@@ -57,14 +57,10 @@ void shade(const PassFill& pass, const FillState& state, const Fragment& fragmen
     }
 }
 
-// The four channels of a colour of the vertices, as planes or as those of vertex 0.
+// The four channels of a colour of the vertices, as planes.
 class ColorOverTriangle {
   public:
-    ColorOverTriangle(const Corners& corners, const std::array<std::uint32_t, 3>& colors, bool flat) {
-        if (flat) {
-            flat_ = colors[0];
-            return;
-        }
+    ColorOverTriangle(const Corners& corners, const std::array<std::uint32_t, 3>& colors) {
         for (int c = 0; c < 4; ++c) {
             const auto byte = [&](int i) { return std::int64_t{(colors[i] >> (8 * c)) & 255}; };
             planes_[c]      = make_plane(corners, {byte(0), byte(1), byte(2)}, 23, 16);
@@ -72,7 +68,6 @@ class ColorOverTriangle {
     }
 
     std::uint32_t at(int x, int y) const {
-        if (flat_) return *flat_;
         std::uint32_t color = 0;
         for (int c = 0; c < 4; ++c) {
             const int value = static_cast<std::int16_t>(planes_[c].value(x, y));
@@ -83,7 +78,6 @@ class ColorOverTriangle {
 
   private:
     std::array<Plane, 4> planes_;
-    std::optional<std::uint32_t> flat_;
 };
 
 // Rounded outwards, so that every pixel whose centre is inside is within; keeps the walk short, and decides nothing.
@@ -100,10 +94,8 @@ void draw(const PassFill& pass, const FillState& state, Triangle triangle, FillC
                                            depth_at_vertex(triangle[2].z)};
     const Plane depth                   = make_plane(corners, z, 12, 12);
     const auto [nearest, farthest]      = std::minmax({z[0], z[1], z[2]});
-    const ColorOverTriangle diffuse(corners, {triangle[0].diffuse, triangle[1].diffuse, triangle[2].diffuse},
-                                    state.flat);
-    const ColorOverTriangle specular(corners, {triangle[0].specular, triangle[1].specular, triangle[2].specular},
-                                     state.flat);
+    const ColorOverTriangle diffuse(corners, {triangle[0].diffuse, triangle[1].diffuse, triangle[2].diffuse});
+    const ColorOverTriangle specular(corners, {triangle[0].specular, triangle[1].specular, triangle[2].specular});
     std::array<std::optional<TriangleTexture>, kMaxTextures> textures;
     for (int i = 0; i < kMaxTextures; ++i)
         if (reads_levels(state, i)) textures[i].emplace(corners, triangle, i, state.samplers[i]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raster/sample_blocks.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/sample_blocks.cpp"
 #include "hwy/foreach_target.h"
@@ -14,78 +16,80 @@ namespace HWY_NAMESPACE {
 // Two levels, by f of 256.
 HWY_INLINE VU mix_levels(VU a, VU b, VU f) {
     const VU f2 = hn::Or(f, hn::ShiftLeft<16>(f)), one_minus_f = sub16(set_pair(256), f2), half = set_pair(128);
-    const Pixels sum   = weigh_row(a, b, f2, one_minus_f);
-    const auto rounded = [&](VU v) HWY_ATTR { return hn::And(hn::ShiftRight<8>(add16(v, half)), set_pair(0xff)); };
-    return pack({rounded(sum.lo), rounded(sum.hi)});
+    const Pixels sum = weigh_row(a, b, f2, one_minus_f);
+    const VU lo = add16(sum.lo, half), hi = add16(sum.hi, half);
+    return hn::Or(shift_right16<8>(lo), hn::And(hi, set_pair(0xff00)));
 }
 
 template <bool kLinear>
-void sample(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>&, int count,
-            BlockRows<std::uint32_t>& out) {
-    for (int block = 0; block < count; ++block)
-        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-            const VI u = hn::Load(DI(), points.u[block] + lane), v = hn::Load(DI(), points.v[block] + lane);
-            hn::Store(sample_level<kLinear>(plan, 0, u, v), DU(), out[block] + lane);
-        }
+void sample(const SamplePlan& plan, const SamplePoints& points, int count, BlockRows<std::uint32_t>& out) {
+    for (int i = 0; i < count * kBlockWidth; i += lane_count()) {
+        const VI u = hn::Load(DI(), points.u.lanes + i), v = hn::Load(DI(), points.v.lanes + i);
+        hn::Store(sample_level<kLinear>(plan, 0, u, v), DU(), out.lanes + i);
+    }
 }
 
-// One round for each level that a live lane reads: mostly a single one.
+// One round for each level that a lane reads, mostly a single one. The first is that of the first lane, straight from
+// memory, for no texel can be read before the level is known.
 template <bool kLinear, bool kMixLevels>
-void sample_mips(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>& mask, int count,
-                 BlockRows<std::uint32_t>& out) {
-    const int last = plan.level_count - 1;
-    for (int block = 0; block < count; ++block)
-        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-            const VI u = hn::Load(DI(), points.u[block] + lane), v = hn::Load(DI(), points.v[block] + lane);
-            const VI lod      = hn::Load(DI(), points.lod[block] + lane);
-            const VI alive    = hn::BitCast(DI(), hn::Load(DU(), mask[block] + lane));
-            const VI level    = hn::ShiftRight<8>(kMixLevels ? lod : hn::Add(lod, seti(128)));
-            const auto live   = hn::MaskFromVec(alive);
-            const int lowest  = hn::GetLane(hn::MinOfLanes(DI(), hn::IfThenElse(live, level, seti(last))));
-            const int highest = hn::GetLane(hn::MaxOfLanes(DI(), hn::IfThenElse(live, level, seti(0))));
-            VU texel          = set(0);
-            for (int index = lowest; index <= highest; ++index) {
-                VU here = sample_level<kLinear>(plan, index, u, v);
-                if constexpr (kMixLevels) {
-                    const VU next = sample_level<kLinear>(plan, index < last ? index + 1 : last, u, v);
-                    here          = mix_levels(here, next, hn::BitCast(DU(), hn::And(lod, seti(255))));
-                }
-                texel = select(hn::BitCast(DU(), hn::VecFromMask(DI(), hn::Eq(level, seti(index)))), here, texel);
+void sample_mips(const SamplePlan& plan, const SamplePoints& points, int count, BlockRows<std::uint32_t>& out) {
+    constexpr int kHalf = kMixLevels ? 0 : 128;
+    const int last      = plan.level_count - 1;
+    for (int i = 0; i < count * kBlockWidth; i += lane_count()) {
+        const VI u = hn::Load(DI(), points.u.lanes + i), v = hn::Load(DI(), points.v.lanes + i);
+        const VI lod      = hn::Load(DI(), points.lod.lanes + i);
+        const VI level    = hn::ShiftRight<8>(hn::Add(lod, seti(kHalf)));
+        const VI fraction = hn::And(lod, seti(255));
+        VU texel          = set(0);
+        auto rest         = hn::Gt(lod, seti(-1));  // every lane
+        for (std::ptrdiff_t lane = 0;; lane = hn::FindFirstTrue(DI(), rest)) {
+            const int index = (points.lod.lanes[i + lane] + kHalf) >> 8;
+            const auto here = hn::Eq(level, seti(index));
+            VU sampled      = sample_level<kLinear>(plan, index, u, v);
+            // The next level has no weight where the texture is magnified, nor after the last.
+            if (kMixLevels && index < last && !hn::AllFalse(DI(), hn::And(here, hn::Gt(fraction, seti(0))))) {
+                const VU next = sample_level<kLinear>(plan, index + 1, u, v);
+                sampled       = mix_levels(sampled, next, hn::BitCast(DU(), fraction));
             }
-            hn::Store(texel, DU(), out[block] + lane);
+            texel = select(hn::BitCast(DU(), hn::VecFromMask(DI(), here)), sampled, texel);
+            rest  = hn::AndNot(here, rest);
+            if (hn::AllFalse(DI(), rest)) break;
         }
+        hn::Store(texel, DU(), out.lanes + i);
+    }
 }
 
-void sample_white(const SamplePlan&, const SamplePoints&, const BlockRows<std::uint32_t>&, int count,
-                  BlockRows<std::uint32_t>& out) {
-    for (int block = 0; block < count; ++block)
-        for (int lane = 0; lane < kBlockWidth; lane += lane_count())
-            hn::Store(set(0xffffffff), DU(), out[block] + lane);
+void sample_white(const SamplePlan&, const SamplePoints&, int count, BlockRows<std::uint32_t>& out) {
+    for (int i = 0; i < count * kBlockWidth; i += lane_count()) hn::Store(set(0xffffffff), DU(), out.lanes + i);
 }
 
-void pack_points(const FragmentBatch& batch, PackedPoints& out) {
-    std::uint32_t* const index = out.index.lanes;
-    int lanes                  = 0;
-#if HWY_TARGET == HWY_SCALAR
-    for (int i = 0; i < batch.count * kBlockWidth; ++i)
-        if (batch.mask.lanes[i] != 0) index[lanes++] = static_cast<std::uint32_t>(i);
-#else
-    // A store of a whole vector may write past the live lanes, but never past the lane it was read from plus its width.
+int list_live_lanes(const FragmentBatch& batch, std::uint32_t* index) {
+    int lanes = 0;
+#if HWY_TARGET <= HWY_AVX3
+    // A store of a whole vector may write past the live lanes, but never past the lanes that it was read from.
     for (int i = 0; i < batch.count * kBlockWidth; i += lane_count()) {
         const auto live = hn::MaskFromVec(hn::Load(DU(), batch.mask.lanes + i));
         hn::StoreU(hn::Compress(hn::BitCast(DU(), lane_index(i)), live), DU(), index + lanes);
         lanes += static_cast<int>(hn::CountTrue(DU(), live));
     }
+#else
+    // No instruction for it, and the emulation is slower than this: each lane is written over by the next if it is dead.
+    for (int i = 0; i < batch.count * kBlockWidth; ++i) {
+        index[lanes] = static_cast<std::uint32_t>(i);
+        lanes += static_cast<int>(batch.mask.lanes[i] & 1);
+    }
 #endif
-    out.lanes = lanes;
-    for (int i = lanes; i < out.blocks() * kBlockWidth; ++i) index[i] = 0;
-    for (int i = 0; i < out.blocks() * kBlockWidth; i += lane_count()) {
-        const VI from = hn::BitCast(DI(), hn::Load(DU(), index + i));
-        hn::Store(hn::GatherIndex(DI(), batch.points.u.lanes, from), DI(), out.points.u.lanes + i);
-        hn::Store(hn::GatherIndex(DI(), batch.points.v.lanes, from), DI(), out.points.v.lanes + i);
-        hn::Store(hn::GatherIndex(DI(), batch.points.lod.lanes, from), DI(), out.points.lod.lanes + i);
-        const auto used = hn::Lt(lane_index(i), seti(lanes));
-        hn::Store(hn::BitCast(DU(), hn::VecFromMask(DI(), used)), DU(), out.mask.lanes + i);
+    return lanes;
+}
+
+void pack_points(const FragmentBatch& batch, bool all, PackedPoints& out) {
+    std::uint32_t* const index = out.index.lanes;
+    out.lanes                  = batch.count * kBlockWidth;
+    if (all) {
+        for (int i = 0; i < out.lanes; i += lane_count()) hn::Store(hn::BitCast(DU(), lane_index(i)), DU(), index + i);
+    } else {
+        out.lanes = list_live_lanes(batch, index);
+        std::fill(index + out.lanes, index + out.blocks() * kBlockWidth, index[out.lanes - 1]);
     }
 }
 

@@ -34,15 +34,16 @@ struct SamplePlan {
 };
 SamplePlan plan_sampler(const Sampler& sampler);
 
-// The first `count` blocks of points. Lanes that are dead in `mask` may get any texel.
-using SampleKernel = void (*)(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>& mask,
-                              int count, BlockRows<std::uint32_t>& out);
+// The first `count` blocks of points.
+using SampleKernel = void (*)(const SamplePlan& plan, const SamplePoints& points, int count,
+                              BlockRows<std::uint32_t>& out);
 
 // This processor's kernels: for anything, and for rectangles, where v is the same along a block and u advances evenly.
 SampleKernel sample_kernel(const SamplePlan& plan);
 SampleKernel sample_rectangle_kernel(const SamplePlan& plan);
 
-using PackKernel = void (*)(const FragmentBatch& batch, PackedPoints& out);
+// Lists the live lanes of a batch, one at least, or all of them.
+using PackKernel = void (*)(const FragmentBatch& batch, bool all, PackedPoints& out);
 PackKernel pack_kernel();
 
 }  // namespace raster

@@ -13,11 +13,6 @@ HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
 
-// The four neighbours of each lane's position.
-struct Quad {
-    VU t00, t10, t01, t11;
-};
-
 #if HWY_TARGET == HWY_SCALAR
 constexpr bool kHasWindows = false;
 HWY_INLINE bool load_window(const std::uint32_t*, const std::uint32_t*, const std::int32_t*, Quad&) {
@@ -99,17 +94,8 @@ HWY_INLINE VU weigh_quarters(const Quad& quad, VI u, VI v) {
     return pack({weigh(top.lo, bottom.lo), weigh(top.hi, bottom.hi)});
 }
 
-HWY_INLINE VU weigh_any(const Quad& quad, VI u, VI v) {
-    const VU fu = hn::BitCast(DU(), hn::And(u, seti(255)));
-    const VU f = hn::Or(fu, hn::ShiftLeft<16>(fu)), one_minus_f = sub16(set_pair(256), f);
-    const Pixels top    = weigh_row(quad.t00, quad.t10, f, one_minus_f),
-                 bottom = weigh_row(quad.t01, quad.t11, f, one_minus_f);
-    const VI fv         = hn::And(v, seti(255));
-    return pack({weigh_column(top.lo, bottom.lo, fv), weigh_column(top.hi, bottom.hi, fv)});
-}
-
-void sample_rectangle_linear(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>&,
-                             int count, BlockRows<std::uint32_t>& out) {
+void sample_rectangle_linear(const SamplePlan& plan, const SamplePoints& points, int count,
+                             BlockRows<std::uint32_t>& out) {
     for (int block = 0; block < count; ++block)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
             const std::int32_t* const at = points.u[block] + lane;
@@ -128,14 +114,14 @@ void sample_rectangle_linear(const SamplePlan& plan, const SamplePoints& points,
                 else if ((bits & 63) == 0 && at[lane_count() - 1] - at[0] == step * (lane_count() - 1))
                     texel = weigh_quarters(quad, moved_u, moved_v);
                 else
-                    texel = weigh_any(quad, moved_u, moved_v);
+                    texel = weigh(quad, moved_u, moved_v);
             }
             hn::Store(texel, DU(), out[block] + lane);
         }
 }
 
-void sample_rectangle_point(const SamplePlan& plan, const SamplePoints& points, const BlockRows<std::uint32_t>&,
-                            int count, BlockRows<std::uint32_t>& out) {
+void sample_rectangle_point(const SamplePlan& plan, const SamplePoints& points, int count,
+                            BlockRows<std::uint32_t>& out) {
     const SamplePlan::Level& level = plan.levels[0];
     for (int block = 0; block < count; ++block)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {

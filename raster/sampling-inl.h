@@ -29,21 +29,31 @@ HWY_INLINE VI address(Address mode, VI i, std::int32_t size) {
     return i;
 }
 
-// (a * (256 - f) + b * f + half) >> 8 of one row of texels is exact in 16 bits before the shift; the column needs 32.
+// The four neighbours of each lane's position.
+struct Quad {
+    VU t00, t10, t01, t11;
+};
+
+// a * (256 - f) + b * f of one row of texels: exact in 16 bits.
 HWY_INLINE Pixels weigh_row(VU left, VU right, VU f, VU one_minus_f) {
     const Pixels a = unpack(left), b = unpack(right);
     return {add16(mul16(a.lo, one_minus_f), mul16(b.lo, f)), add16(mul16(a.hi, one_minus_f), mul16(b.hi, f))};
 }
-HWY_INLINE VU weigh_column(VU top, VU bottom, VI f) {  // pairs of 16-bit sums to pairs of bytes
-    const VI low     = seti(0xffff);
-    const auto weigh = [&](VI a, VI b) HWY_ATTR {
-        const VI sum = hn::Add(hn::ShiftLeft<8>(a), hn::Mul(hn::Sub(b, a), f));
-        return hn::ShiftRight<16>(hn::Add(sum, seti(1 << 15)));
-    };
-    const VI t = hn::BitCast(DI(), top), b = hn::BitCast(DI(), bottom);
-    const VI even = weigh(hn::And(t, low), hn::And(b, low));
-    const VI odd  = weigh(hn::BitCast(DI(), hn::ShiftRight<16>(top)), hn::BitCast(DI(), hn::ShiftRight<16>(bottom)));
-    return hn::BitCast(DU(), hn::Or(even, hn::ShiftLeft<16>(odd)));
+// (a * (256 - f) + b * f + 2^15) >> 8 of two such sums: a + 128 + floor((b - a) * f / 256), which fits 16 bits. The floor
+// is the high half of the unsigned product of (b - a) mod 2^16 and 256 f, less 256 f where b < a.
+HWY_INLINE VU weigh_column(VU a, VU b, VU f_times_256) {
+    const VU change = sub16(mul_high16(sub16(b, a), f_times_256), if_less16(b, a, f_times_256));
+    return add16(add16(a, set_pair(128)), change);
+}
+// The weights are the low 8 bits of u and v.
+HWY_INLINE VU weigh(const Quad& quad, VI u, VI v) {
+    const VU fu = hn::And(hn::BitCast(DU(), u), set(0xff)), fv = hn::BitCast(DU(), v);
+    const VU f = hn::Or(fu, hn::ShiftLeft<16>(fu)), one_minus_f = sub16(set_pair(256), f);
+    const VU f_times_256 = hn::Or(hn::ShiftLeft<24>(fv), hn::And(hn::ShiftLeft<8>(fv), set(0xff00)));
+    const Pixels top     = weigh_row(quad.t00, quad.t10, f, one_minus_f);
+    const Pixels bottom  = weigh_row(quad.t01, quad.t11, f, one_minus_f);
+    const VU lo = weigh_column(top.lo, bottom.lo, f_times_256), hi = weigh_column(top.hi, bottom.hi, f_times_256);
+    return hn::Or(shift_right16<8>(lo), hn::And(hi, set_pair(0xff00)));
 }
 
 template <bool kLinear>
@@ -67,13 +77,7 @@ HWY_INLINE VU sample_level(const SamplePlan& plan, int index, VI u, VI v) {
         const VI row1    = hn::Mul(address(plan.address_v, hn::Add(j, seti(1)), level.height), stride);
         const auto texel = [&](VI row, VI column)
                                HWY_ATTR { return hn::GatherIndex(DU(), texels, hn::Add(row, column)); };
-
-        const VU fu = hn::BitCast(DU(), hn::And(u, seti(255)));
-        const VU f = hn::Or(fu, hn::ShiftLeft<16>(fu)), one_minus_f = sub16(set_pair(256), f);
-        const Pixels top    = weigh_row(texel(row0, i0), texel(row0, i1), f, one_minus_f);
-        const Pixels bottom = weigh_row(texel(row1, i0), texel(row1, i1), f, one_minus_f);
-        const VI fv         = hn::And(v, seti(255));
-        return pack({weigh_column(top.lo, bottom.lo, fv), weigh_column(top.hi, bottom.hi, fv)});
+        return weigh({texel(row0, i0), texel(row0, i1), texel(row1, i0), texel(row1, i1)}, u, v);
     }
 }
 

@@ -19,19 +19,36 @@ HWY_AFTER_NAMESPACE();
 namespace raster {
 HWY_EXPORT(probe);
 
+namespace {
+struct Target {
+    std::string name;
+    std::int64_t bit;
+};
+// Asked once, before any is forced.
+const std::vector<Target>& all_targets() {
+    static const std::vector<Target> targets = [] {
+        std::vector<Target> list;
+        for (const std::int64_t bit : hwy::SupportedAndGeneratedTargets()) list.push_back({hwy::TargetName(bit), bit});
+        return list;
+    }();
+    return targets;
+}
+}  // namespace
+
 std::vector<std::string> simd_targets() {
-    hwy::SetSupportedTargetsForTest(0);
     std::vector<std::string> names;
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) names.emplace_back(hwy::TargetName(target));
+    for (const Target& target : all_targets()) names.push_back(target.name);
     return names;
 }
 
 bool force_simd_target(const std::string& name) {
-    hwy::SetSupportedTargetsForTest(0);
-    if (name.empty()) return true;
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        if (name != hwy::TargetName(target)) continue;
-        hwy::SetSupportedTargetsForTest(target);
+    if (name.empty()) {
+        hwy::SetSupportedTargetsForTest(0);
+        return true;
+    }
+    for (const Target& target : all_targets()) {
+        if (target.name != name) continue;
+        hwy::SetSupportedTargetsForTest(target.bit);
         return true;
     }
     return false;

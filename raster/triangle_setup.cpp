@@ -7,14 +7,6 @@
 namespace raster {
 namespace {
 
-struct Corner {
-    std::int64_t x, y;  // subpixels
-};
-
-std::int64_t snap(float pixels) {
-    return static_cast<std::int64_t>(std::nearbyint(pixels * float{kSubpixels}));
-}
-
 // The pixels whose centres lie in [low, high] subpixels, as a half-open range.
 int first_pixel(std::int64_t low) {
     return static_cast<int>((low - kSubpixels / 2 + kSubpixels - 1) >> kSubpixelBits);
@@ -23,7 +15,7 @@ int end_pixel(std::int64_t high) {
     return static_cast<int>((high - kSubpixels / 2) >> kSubpixelBits) + 1;
 }
 
-Edge make_edge(const Corner& from, const Corner& to) {
+Edge make_edge(const Subpixel& from, const Subpixel& to) {
     const std::int64_t ex = to.x - from.x, ey = to.y - from.y;
     const bool top_left          = ey < 0 || (ey == 0 && ex > 0);
     const std::int64_t at_origin = ex * (kSubpixels / 2 - from.y) - ey * (kSubpixels / 2 - from.x);
@@ -33,7 +25,7 @@ Edge make_edge(const Corner& from, const Corner& to) {
 // Gradients of one triangle's values. The corners are clockwise, the area positive.
 class PlaneMaker {
   public:
-    explicit PlaneMaker(const std::array<Corner, 3>& corners, std::int64_t area)
+    explicit PlaneMaker(const std::array<Subpixel, 3>& corners, std::int64_t area)
         : x0_(corners[0].x),
           y0_(corners[0].y),
           x1_(corners[1].x - x0_),
@@ -110,16 +102,12 @@ TexturePlanes texture_planes(const PlaneMaker& maker, const std::array<const Ver
     return out;
 }
 
-std::int64_t depth_units(float z) {
-    return static_cast<std::int64_t>(std::nearbyint(static_cast<double>(z) * ((1 << kDepthBits) - 1)));
-}
-
 }  // namespace
 
 bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Rect& scissor, SetUpTriangle& out) {
     std::array<const Vertex*, 3> v{&triangle[0], &triangle[1], &triangle[2]};
-    std::array<Corner, 3> p;
-    for (int i = 0; i < 3; ++i) p[i] = {snap(v[i]->x), snap(v[i]->y)};
+    std::array<Subpixel, 3> p;
+    for (int i = 0; i < 3; ++i) p[i] = snap_to_subpixels(v[i]->x, v[i]->y);
 
     std::int64_t area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
     if (area == 0) return false;
@@ -137,13 +125,13 @@ bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Re
 
     const PlaneMaker maker(p, area);
     if (needs.depth) {
-        const std::int64_t z0 = depth_units(v[0]->z), z1 = depth_units(v[1]->z), z2 = depth_units(v[2]->z);
+        const std::int64_t z0 = depth_value(v[0]->z), z1 = depth_value(v[1]->z), z2 = depth_value(v[2]->z);
         out.depth     = maker.make<kDepthFraction>(z0, z1, z2);
         out.depth_min = static_cast<std::int32_t>(std::min({z0, z1, z2}));
         out.depth_max = static_cast<std::int32_t>(std::max({z0, z1, z2}));
     }
     const auto varies = [&](std::uint32_t Vertex::*color) {
-        return !needs.flat && (v[0]->*color != v[1]->*color || v[0]->*color != v[2]->*color);
+        return v[0]->*color != v[1]->*color || v[0]->*color != v[2]->*color;
     };
     out.flat_diffuse    = v[0]->diffuse;
     out.flat_specular   = v[0]->specular;
@@ -158,12 +146,12 @@ bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Re
 }
 
 bool set_up_rectangle(const Rectangle& rectangle, const SetupNeeds& needs, const Rect& scissor, SetUpRectangle& out) {
-    const std::int64_t x0 = snap(rectangle.x0), y0 = snap(rectangle.y0), x1 = snap(rectangle.x1),
-                       y1 = snap(rectangle.y1);
+    const auto [x0, y0] = snap_to_subpixels(rectangle.x0, rectangle.y0);
+    const auto [x1, y1] = snap_to_subpixels(rectangle.x1, rectangle.y1);
     // The end is open: a centre exactly on it is outside.
-    out.bounds = intersect({first_pixel(x0), first_pixel(y0), end_pixel(x1 - 1), end_pixel(y1 - 1)}, scissor);
+    out.bounds          = intersect({first_pixel(x0), first_pixel(y0), end_pixel(x1 - 1), end_pixel(y1 - 1)}, scissor);
     if (out.bounds.empty()) return false;
-    out.depth = static_cast<std::uint32_t>(depth_units(rectangle.z));
+    out.depth = depth_value(rectangle.z);
     out.color = rectangle.color;
 
     const auto axis = [](float from, float to, int size, std::int64_t begin, std::int64_t end) {

@@ -45,7 +45,7 @@ struct SetUpTriangle {
 
 // What of a triangle a draw needs. Texture sizes are those of level 0.
 struct SetupNeeds {
-    bool depth = false, diffuse = false, specular = false, flat = false;
+    bool depth = false, diffuse = false, specular = false;
     std::array<bool, kMaxTextures> texture{}, lod{};
     std::array<int, kMaxTextures> width{}, height{};
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "pipeline/execute/frame_memory.h"
@@ -28,6 +29,7 @@ struct VertexJob {
     const DrawTriangles* draw;
     std::uint32_t first, count;
     VertexStageCounts counts{};
+    std::uint64_t vertices = 0;  // of the whole draw, at its first job
 };
 constexpr std::uint32_t kJobIndices = 3 * 1024;
 
@@ -42,6 +44,16 @@ raster::Rectangle lower(const DrawRectangle& rectangle) {
     for (int i = 0; i < kTextureStages; ++i)
         out.uv[i] = {rectangle.uv[i].u0, rectangle.uv[i].v0, rectangle.uv[i].u1, rectangle.uv[i].v1};
     return out;
+}
+
+// The distinct vertices that a draw refers to.
+std::uint64_t count_vertices(const Frame& frame, const DrawTriangles& draw) {
+    const auto indices       = std::span(frame.indices).subspan(draw.first_index, draw.index_count);
+    const auto [least, most] = std::minmax_element(indices.begin(), indices.end());
+    if (least == indices.end()) return 0;
+    std::vector<bool> seen(*most - *least + 1);
+    for (const std::uint32_t index : indices) seen[index - *least] = true;
+    return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
 }
 
 class FrameExecution {
@@ -63,9 +75,10 @@ class FrameExecution {
         PassCounts counts;
         clear(pass, fill, counts);
         add_draws(pass, viewport, fill, counts);
-        const raster::FillCounts filled = options_.backend == Backend::Reference
-                                              ? raster::reference_fill_pass(fill)
-                                              : raster::fill_pass(fill, {options_.threads, options_.tile_order_seed});
+        const raster::FillCounts filled =
+            options_.backend == Backend::Reference
+                ? raster::reference_fill_pass(fill)
+                : arena_.run([&] { return raster::fill_pass(fill, {options_.tile_order_seed}); });
         count(pass, filled, counts);
         return counts;
     }
@@ -88,18 +101,22 @@ class FrameExecution {
     }
 
     void clear(const Pass& pass, const raster::PassFill& fill, PassCounts& counts) {
-        const auto set = [&](raster::Image& image, std::uint32_t value) {
+        const auto set = [&](raster::Image& image, std::uint32_t value, std::uint64_t pixel_bytes) {
             raster::fill_rect(image, fill.scissor, value);
             if (fill.scissor.empty()) return;
-            counts.cleared += static_cast<std::uint64_t>(fill.scissor.x1 - fill.scissor.x0) *
-                              static_cast<std::uint64_t>(fill.scissor.y1 - fill.scissor.y0);
+            const std::uint64_t pixels = static_cast<std::uint64_t>(fill.scissor.x1 - fill.scissor.x0) *
+                                         static_cast<std::uint64_t>(fill.scissor.y1 - fill.scissor.y0);
+            counts.cleared += pixels;
+            counts.bytes += pixels * pixel_bytes;
         };
-        if (pass.clear.color) set(*fill.color, pass.clear.color->value);
-        if (pass.clear.depth) {
-            const double all_ones = fill.depth_bits == 32 ? 4294967295.0 : (1 << fill.depth_bits) - 1;
-            set(*fill.depth,
-                static_cast<std::uint32_t>(std::nearbyint(static_cast<double>(*pass.clear.depth) * all_ones)));
-        }
+        if (pass.clear.color) set(*fill.color, pass.clear.color->value, 4);
+        if (pass.clear.depth)
+            set(*fill.depth, raster::to_depth_format(raster::depth_value(*pass.clear.depth), fill.depth_bits),
+                depth_bytes(pass));
+    }
+
+    std::uint64_t depth_bytes(const Pass& pass) const {
+        return pass.depth && frame_.targets[pass.depth.index].format == TargetFormat::D16 ? 2 : 4;
     }
 
     // Each vertex job becomes a draw of its own; the order stays that of the pass.
@@ -122,13 +139,14 @@ class FrameExecution {
         arena_.run([&] {
             tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
                 VertexJob& job = jobs[i];
-                if (job.draw)
-                    job.counts = run_vertex_stage(frame_, pass, *job.draw, job.first, job.count, viewport,
-                                                  fill.draws[i].triangles);
+                if (!job.draw) return;
+                job.counts =
+                    run_vertex_stage(frame_, pass, *job.draw, job.first, job.count, viewport, fill.draws[i].triangles);
+                if (job.first == job.draw->first_index) job.vertices = count_vertices(frame_, *job.draw);
             });
         });
         for (const VertexJob& job : jobs) {
-            counts.vertices += job.counts.vertices;
+            counts.vertices += job.vertices;
             counts.triangles_in += job.counts.triangles_in;
             counts.triangles_drawn += job.counts.triangles_drawn;
         }
@@ -148,10 +166,8 @@ class FrameExecution {
         counts.depth_written       = state.depth.write ? filled.depth_passed : 0;
         counts.color_written       = writes_color ? filled.depth_passed : 0;
         counts.blended             = blends ? filled.depth_passed : 0;
-        const std::uint64_t depth_bytes =
-            pass.depth && frame_.targets[pass.depth.index].format == TargetFormat::D16 ? 2 : 4;
-        counts.bytes = filled.texel_bytes + depth_bytes * (counts.depth_tested + counts.depth_written) +
-                       4 * counts.color_written * (blends || masked ? 2 : 1) + 4 * counts.cleared;
+        counts.bytes += filled.texel_bytes + depth_bytes(pass) * (counts.depth_tested + counts.depth_written) +
+                        4 * counts.color_written * (blends || masked ? 2 : 1);
     }
 
     const Frame& frame_;

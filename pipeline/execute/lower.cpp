@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/execute/lower.h"
 
+#include "pipeline/execute/vertex_stage.h"
+#include "raster/sample_blocks.h"
+
 namespace pipeline {
+
+static_assert(kTextureStages <= raster::kMaxTextures);
+static_assert(kMaxTextureSize < 1 << raster::kMaxLevels);
+static_assert(kMaxTargetSize + static_cast<int>(kGuardBand) <= static_cast<int>(raster::kMaxCoordinate));
+static_assert(kMaxRectangleCoordinate <= static_cast<int>(raster::kMaxCoordinate));
+
 namespace {
 
 raster::BlendFactor lower(BlendFactor factor) {
@@ -138,15 +147,14 @@ std::uint32_t lower(const ColorMask& mask) {
 
 raster::FillState lower(const PipelineState& state, const TextureBindings& textures, const FrameMemory& memory) {
     raster::FillState out;
-    for (int i = 0; i < kTextureStages && state.stages[i].color_op != TextureOp::Disable; ++i) {
+    out.stage_count = stage_count(state);
+    for (int i = 0; i < out.stage_count; ++i) {
         const TextureStage& stage = state.stages[i];
         out.stages[i]             = {.color = lower(stage.color_op, stage.color_arg1, stage.color_arg2),
                                      .alpha = lower(stage.alpha_op, stage.alpha_arg1, stage.alpha_arg2)};
         out.samplers[i]           = lower(stage, textures[i], memory);
-        out.stage_count           = i + 1;
     }
     out.constant        = state.texture_factor.value;
-    out.flat            = state.shade == ShadeMode::Flat;
     out.add_specular    = state.lighting.specular_enable;
     out.fog             = state.fog.mode != FogMode::None;
     out.fog_color       = state.fog.color.value;

@@ -60,16 +60,11 @@ class Window {
     float x_, y_, width_, height_;
 };
 
-struct Snapped {
-    std::int64_t x = 0, y = 0;
-};
-Snapped snap(const raster::Vertex& vertex) {
-    const float scale = raster::kSubpixels;
-    return {static_cast<std::int64_t>(std::nearbyint(vertex.x * scale)),
-            static_cast<std::int64_t>(std::nearbyint(vertex.y * scale))};
+raster::Subpixel snap(const raster::Vertex& vertex) {
+    return raster::snap_to_subpixels(vertex.x, vertex.y);
 }
 
-bool is_culled(CullMode mode, const Snapped& a, const Snapped& b, const Snapped& c) {
+bool is_culled(CullMode mode, const raster::Subpixel& a, const raster::Subpixel& b, const raster::Subpixel& c) {
     const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     switch (mode) {
         case CullMode::None:
@@ -86,11 +81,12 @@ bool is_culled(CullMode mode, const Snapped& a, const Snapped& b, const Snapped&
 class VertexShader {
   public:
     VertexShader(const Pass& pass, const Camera& camera, const Mat4& world)
-        : state_(pass.state), lighting_(prepare_lighting(pass.state.lighting, camera.view, world)) {
+        : state_(pass.state),
+          lighting_(prepare_lighting(pass.state.lighting, camera.view, world)),
+          stage_count_(stage_count(pass.state)) {
         const glm::dmat4 object_to_camera = glm::dmat4(camera.view) * glm::dmat4(world);
         object_to_camera_                 = Mat4(object_to_camera);
         object_to_clip_                   = Mat4(glm::dmat4(camera.projection) * object_to_camera);
-        while (stages_ < kTextureStages && state_.stages[stages_].color_op != TextureOp::Disable) ++stages_;
     }
 
     Vec4 clip_position(const Vertex& vertex) const { return object_to_clip_ * Vec4(vertex.position, 1.0f); }
@@ -102,7 +98,7 @@ class VertexShader {
                           .diffuse  = colors.diffuse,
                           .specular = colors.specular,
                           .fog      = fog_factor(state_.fog, camera_position)};
-        for (int stage = 0; stage < stages_; ++stage)
+        for (int stage = 0; stage < stage_count_; ++stage)
             result.uv[stage] = texture_coords(state_.stages[stage], vertex, camera_position);
         return result;
     }
@@ -124,7 +120,7 @@ class VertexShader {
     const PipelineState& state_;
     CameraLighting lighting_;
     Mat4 object_to_camera_{1.0f}, object_to_clip_{1.0f};
-    int stages_ = 0;  // in use
+    int stage_count_;
 };
 
 void set_attributes(const ClipVertex& from, raster::Vertex& to) {
@@ -140,8 +136,8 @@ struct PlacedVertex {
     bool is_finite        = false;
     bool is_shaded        = false;
     Outcode outside_guard = 0, outside_view = 0;
-    Snapped snapped;        // this and `window` only within the guard band
-    raster::Vertex window;  // colours and uv only once shaded
+    raster::Subpixel snapped;  // this and `window` only within the guard band
+    raster::Vertex window;     // colours and uv only once shaded
 };
 
 class TriangleStage {
@@ -162,9 +158,7 @@ class TriangleStage {
         place_vertices();
         for (std::size_t i = 0; i + 2 < list_.corners.size(); i += 3)
             add_triangle({list_.corners[i], list_.corners[i + 1], list_.corners[i + 2]});
-        return {.vertices        = list_.vertices.size(),
-                .triangles_in    = list_.corners.size() / 3,
-                .triangles_drawn = out_.size() - drawn_before};
+        return {.triangles_in = list_.corners.size() / 3, .triangles_drawn = out_.size() - drawn_before};
     }
 
   private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From object space to window space, for triangles: transform, Direct3D 7 lighting, vertex fog, texture coordinate
 // generation, clipping, the viewport and culling. Matrices are multiplied in double and rounded once; from there single
-// precision in one fixed order, but for lengths, curves and the cuts of edges (double); no function of the C library
-// but sqrt.
+// precision in one fixed order, but for lengths, curves and the cuts of edges (double); of the C library only sqrt
+// and what rounds.
 //   clip    Against the near and far plane (0 <= z <= w) and a guard band of kGuardBand pixels around the viewport;
 //           what reaches from the viewport into the guard band is left to the scissor. Triangles with all corners
 //           beyond one side of the viewport are dropped. See pipeline/execute/clip.h.
@@ -26,9 +26,8 @@ namespace pipeline {
 
 inline constexpr float kGuardBand = 4096.0f;  // pixels; with targets of 8192 this stays within raster::kMaxCoordinate
 
-// vertices: each vertex of the range once.
 struct VertexStageCounts {
-    std::uint64_t vertices = 0, triangles_in = 0, triangles_drawn = 0;
+    std::uint64_t triangles_in = 0, triangles_drawn = 0;
 };
 
 // Appends the triangles of Frame::indices [first, first + count), which is a part of the draw's range, to `out`, in

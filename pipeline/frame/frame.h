@@ -63,6 +63,8 @@ constexpr int bytes_per_texel(TextureFormat format) {
     return format == TextureFormat::A8R8G8B8 ? 4 : 1;
 }
 
+inline constexpr std::int32_t kMaxTextureSize = 8192;
+
 // `texels` holds `levels` mip levels one after the other, each max(1, size >> level) wide and high. More than one level
 // requires powers of two.
 struct Texture {
@@ -166,8 +168,12 @@ void visit_fields(State& state, Visit&& visit) {
     visit("v1", v1);
 }
 
+inline constexpr std::int32_t kMaxRectangleCoordinate = 16384;
+inline constexpr std::int32_t kMaxRectangleTexel      = 16384;
+
 // An axis-aligned rectangle in window space, in pixels of the target: a blit. Not transformed, lit, fogged or culled.
-// x0 <= x1, y0 <= y1; depth in 0..1. Its uv times the texture's size stay within +-16384 texels.
+// x0 <= x1, y0 <= y1; depth in 0..1. Corners stay within +-kMaxRectangleCoordinate pixels, and uv times the texture's
+// size within +-kMaxRectangleTexel texels.
 struct DrawRectangle {
     float x0 = 0.0f, y0 = 0.0f, x1 = 0.0f, y1 = 0.0f;
     float depth = 0.0f;

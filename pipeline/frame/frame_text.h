@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frame as text: the dump, the bug report and the language of tests. parse_frame(to_text(f)) == f for every frame.
+// The frame as text: the dump, the bug report and the language of tests. parse_frame(to_text(f)) is f, to the bit.
 //   nimbus7 frame 1                                     the first line; // starts a comment
 //   targets [ "cloud" { width 640 height 480 } ]        a list; a struct's name stands before its brace
 //   blend { source SRCALPHA dest INVSRCALPHA }          fields in any order; one left out has its default value

@@ -103,4 +103,12 @@ void visit_fields(State& state, Visit&& visit) {
     visit("scissor", scissor);
 }
 
+// The stages in use: those before the first whose color_op is Disable.
+constexpr int stage_count(const PipelineState& state) {
+    int count = 0;
+    while (count < kTextureStages && state.stages[static_cast<std::size_t>(count)].color_op != TextureOp::Disable)
+        ++count;
+    return count;
+}
+
 }  // namespace pipeline

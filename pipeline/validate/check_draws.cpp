@@ -9,9 +9,6 @@ namespace pipeline {
 
 namespace {
 
-constexpr std::int32_t kMaxRectangleCoordinate = 12288;  // pixels, either side of 0
-constexpr std::int32_t kMaxRectangleTexel      = 16384;  // texels, either side of 0
-
 struct Size {
     std::int32_t width = 0, height = 0;
 };
@@ -122,17 +119,15 @@ const Texture* find_texture(const Frame& frame, TextureId id) {
 }
 
 bool reads_texture(const PipelineState& state, int index) {
-    for (int i = 0; i < index; ++i) {
-        if (state.stages[static_cast<std::size_t>(i)].color_op == TextureOp::Disable) return false;
-    }
+    if (index >= stage_count(state)) return false;
     const auto reads = [](TextureOp op, const TextureArg& arg1, const TextureArg& arg2) {
         if (op == TextureOp::Disable) return false;
         return (op != TextureOp::SelectArg2 && arg1.source == ArgSource::Texture) ||
                (op != TextureOp::SelectArg1 && arg2.source == ArgSource::Texture);
     };
     const TextureStage& stage = state.stages[static_cast<std::size_t>(index)];
-    return stage.color_op != TextureOp::Disable && (reads(stage.color_op, stage.color_arg1, stage.color_arg2) ||
-                                                    reads(stage.alpha_op, stage.alpha_arg1, stage.alpha_arg2));
+    return reads(stage.color_op, stage.color_arg1, stage.color_arg2) ||
+           reads(stage.alpha_op, stage.alpha_arg1, stage.alpha_arg2);
 }
 
 void check_draws(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {

@@ -7,8 +7,6 @@
 
 namespace pipeline {
 
-inline constexpr std::int32_t kMaxTextureSize = 8192;
-
 // The target, or null if the id refers to nothing or is out of range.
 const Target* find_target(const Frame& frame, TargetId id);
 const Texture* find_texture(const Frame& frame, TextureId id);

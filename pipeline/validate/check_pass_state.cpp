@@ -122,11 +122,6 @@ void check_pass_state(const Frame& frame, const Pass& pass, const Place& place, 
     }
     check_stages(pass.state, state, findings);
     check_lighting(pass.state.lighting, state.field("lighting"), findings);
-    const FogState& fog = pass.state.fog;
-    if (fog.mode == FogMode::Linear && fog.start == fog.end) {
-        const Place fog_place = state.field("fog");
-        report(findings, fog_place.field("end"), "must differ from start for LINEAR fog" + got(fog.end));
-    }
 }
 
 }  // namespace pipeline

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/cloud/cumulus.h"
 #include "pipeline/execute/execute.h"
+#include "tests/cloud/cumulus.h"
 
 using namespace cloud;
 using namespace pipeline;

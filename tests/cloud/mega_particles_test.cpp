@@ -8,9 +8,9 @@
 
 #include "cloud/mega_particles/draw_particles.h"
 #include "cloud/mega_particles/fractal_box.h"
-#include "tests/cloud/cumulus.h"
 #include "pipeline/execute/execute.h"
 #include "pipeline/validate/validate.h"
+#include "tests/cloud/cumulus.h"
 
 using namespace cloud;
 using namespace pipeline;
@@ -196,6 +196,8 @@ TEST_CASE("numbers that make no sense are refused") {
         cloud.opacity = 1.5f;
     }
     CHECK_THROWS_AS(bake(cloud, {}), std::invalid_argument);
+    CHECK_THROWS_AS(bake({}, {.sky = Vec3(std::nanf(""))}), std::invalid_argument);
+    CHECK_THROWS_AS(bake({}, {.to_sun = Vec3(1.0f)}), std::invalid_argument);
 }
 
 TEST_CASE("the box is drawn in one layer, from outside and from inside") {

@@ -11,6 +11,7 @@
 #include "demo/bake_light.h"
 #include "demo/camera_matrices.h"
 #include "demo/canyon.h"
+#include "demo/desert_floor.h"
 #include "demo/noise.h"
 #include "demo/rock_texture.h"
 #include "demo/scene_build.h"
@@ -35,14 +36,20 @@ std::vector<float> flat_shade() {
 }
 
 // How often each edge is walked from its first to its second corner.
-std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const TerrainMesh& mesh) {
+std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (const auto& triangle : mesh.triangles)
         for (std::size_t i = 0; i < 3; ++i) ++edges[{triangle[i], triangle[(i + 1) % 3]}];
     return edges;
 }
 
-bool same_vertices(const SceneGeometry& a, const SceneGeometry& b) {
+bool same_geometry(const SceneGeometry& a, const SceneGeometry& b) {
+    if (a.terrain.blocks.size() != b.terrain.blocks.size()) return false;
+    for (std::size_t i = 0; i < a.terrain.blocks.size(); ++i) {
+        const TerrainBlock &block = a.terrain.blocks[i], &other = b.terrain.blocks[i];
+        if (block.ground != other.ground || block.walls != other.walls || block.overlays != other.overlays)
+            return false;
+    }
     return a.vertices == b.vertices && a.indices == b.indices && a.textures == b.textures;
 }
 
@@ -129,7 +136,7 @@ TEST_CASE("a height field gives back its points, and its border beyond them", "[
 
 TEST_CASE("the terrain mesh has no cracks and faces up", "[demo][terrain]") {
     const HeightField field = canyon_field();
-    const TerrainMesh mesh  = triangulate(field, flat_shade(), 1.2f, 0.2f);
+    const TriangleMesh mesh = triangulate(field, flat_shade(), 1.2f, 0.2f);
     CHECK(mesh.triangles.size() > 5000);
     CHECK(mesh.triangles.size() < 60000);
 
@@ -166,7 +173,7 @@ TEST_CASE("a smaller tolerance makes a finer mesh, and a plane needs few triangl
     const std::size_t coarse = triangulate(canyon, flat_shade(), 4.0f, 1.0f).triangles.size();
     const std::size_t fine   = triangulate(canyon, flat_shade(), 0.5f, 1.0f).triangles.size();
     CHECK(fine > 2 * coarse);
-    CHECK(triangulate(plane, flat_shade(), 0.5f, 0.1f).triangles.size() == 2u * 16u * 16u);
+    CHECK(triangulate(plane, flat_shade(), 0.5f, 0.1f).triangles.size() == 2u * 32u * 32u);
 }
 
 TEST_CASE("solids and clouds cast shadows along the sun's rays only", "[demo][terrain]") {
@@ -175,8 +182,7 @@ TEST_CASE("solids and clouds cast shadows along the sun's rays only", "[demo][te
     cloud::Cloud cloud;
     cloud.particles = {
         {.center = {0.0f, 60.0f, 100.0f}, .radius = 15.0f, .color = Vec3(1.0f), .alpha = 1.0f, .generation = 0}};
-    const std::vector<cloud::Cloud> clouds{cloud};
-    const Surroundings around{&plane, {{{0.0f, 0.0f, 0.0f}, 40.0f, 5.0f, 5.0f}}, &clouds};
+    const Surroundings around{&plane, {{{0.0f, 0.0f, 0.0f}, 40.0f, 5.0f, 5.0f}}, {ShadowCloud(cloud)}};
     CHECK(sun_past_solids(around, {-20.0f, 0.1f, 0.0f}, to_sun) == 0.0f);
     CHECK(sun_past_solids(around, {20.0f, 0.1f, 0.0f}, to_sun) == 1.0f);
     CHECK(sun_past_solids(around, {-60.0f, 0.1f, 0.0f}, to_sun) == 1.0f);
@@ -185,7 +191,7 @@ TEST_CASE("solids and clouds cast shadows along the sun's rays only", "[demo][te
     CHECK(sun_past_clouds(around, {60.0f, 0.1f, 100.0f}, to_sun) == 1.0f);
 
     const HeightField wall({0.0f, 0.0f}, {500.0f, 500.0f}, [](float x, float) { return x > 0.0f ? 50.0f : 0.0f; });
-    const Surroundings behind_wall{&wall, {}, nullptr};
+    const Surroundings behind_wall{&wall, {}, {}};
     CHECK(sun_past_solids(behind_wall, {-20.0f, 0.1f, 0.0f}, to_sun) == 0.0f);
     CHECK(sun_past_solids(behind_wall, {-90.0f, 0.1f, 0.0f}, to_sun) == 1.0f);
     CHECK(open_sky(plane, {0.0f, 0.0f, 0.0f}) == 1.0f);
@@ -239,8 +245,8 @@ TEST_CASE("mip levels are means, and odd sizes become powers of two", "[demo][te
     CHECK(texture_pyramid("t", 1, 1, {0xff102030}).levels == 1);
 }
 
-TEST_CASE("rock and sand tile: their opposite borders fit", "[demo][terrain]") {
-    for (const pipeline::Texture& texture : {sand_texture(3), rock_texture(3)}) {
+TEST_CASE("textures of the desert tile: their opposite borders fit", "[demo][terrain]") {
+    for (const pipeline::Texture& texture : {sand_texture(3), rock_texture(3), desert_floor_texture(3)}) {
         const auto green = [&](int x, int y) {
             return static_cast<int>(texture.texels[static_cast<std::size_t>(4 * (y * texture.width + x) + 1)]);
         };
@@ -252,6 +258,37 @@ TEST_CASE("rock and sand tile: their opposite borders fit", "[demo][terrain]") {
         }
         CHECK(seam < 2 * inside + texture.height);
     }
+}
+
+TEST_CASE("rock shows whole where its share is whole, and the desert floor keeps the sand's brightness",
+          "[demo][terrain]") {
+    const pipeline::Texture rock = rock_texture(3), desert = desert_floor_texture(3);
+    int bare = 0;
+    for (std::size_t i = 3; i < rock.texels.size(); i += 4) {
+        REQUIRE(4 * rock.texels[i] >= 255);
+        bare += rock.texels[i] > 128;
+    }
+    CHECK(bare > 0);
+    const auto last = desert.texels.end() - 4;  // the mean of all
+    for (int channel = 0; channel < 3; ++channel) {
+        CHECK(last[channel] > 110);
+        CHECK(last[channel] < 136);
+    }
+}
+
+TEST_CASE("a wash is where the canyon's floor is cut", "[demo][terrain]") {
+    double inside = 0.0, outside = 0.0;
+    int beds = 0, others = 0;
+    for (float x = -160.0f; x <= 160.0f; x += 4.0f)
+        for (float z = 20.0f; z <= 190.0f; z += 4.0f) {
+            const float wash = canyon_wash({}, x, z);
+            REQUIRE((wash >= 0.0f && wash <= 1.0f));
+            if (wash == 1.0f) inside += canyon_height({}, x, z), ++beds;
+            if (wash == 0.0f) outside += canyon_height({}, x, z), ++others;
+        }
+    REQUIRE(beds > 20);
+    REQUIRE(others > 20);
+    CHECK(inside / beds < outside / others - 2.0);
 }
 
 TEST_CASE("camera matrices map the view to Direct3D's clip space", "[demo][terrain]") {
@@ -282,7 +319,7 @@ TEST_CASE("camera matrices map the view to Direct3D's clip space", "[demo][terra
 TEST_CASE("a scene is built the same each time, finite, in range, and its frames are valid", "[demo][terrain]") {
     const Scene scene = build_scene(parse_scene(kSmallScene, "x.toml", "x"));
     const Scene again = build_scene(parse_scene(kSmallScene, "x.toml", "x"));
-    CHECK(same_vertices(scene.geometry, again.geometry));
+    CHECK(same_geometry(scene.geometry, again.geometry));
     for (const pipeline::Vertex& vertex : scene.geometry.vertices) {
         for (int axis = 0; axis < 3; ++axis) REQUIRE(std::isfinite(vertex.position[axis]));
         REQUIRE(std::abs(vertex.position.x) <= 1600.0f);
@@ -295,8 +332,8 @@ TEST_CASE("a scene is built the same each time, finite, in range, and its frames
         CHECK(pipeline::validate(frame).empty());
         std::vector<std::string> labels;
         for (const pipeline::Pass& pass : frame.passes) labels.push_back(pass.label);
-        CHECK(labels == std::vector<std::string>{"sky", "ground", "walls along z", "walls along x", "solids",
-                                                 "objects in front"});
+        CHECK(labels ==
+              std::vector<std::string>{"walls", "ground", "walls over ground", "solids", "sky", "objects in front"});
     }
 }
 

@@ -423,10 +423,10 @@ TEST_CASE("validate: draws") {
          {{"pass 1 'composite': draws[0].y1", "must be >= y0 (got -1)"}}},
         {"too far right",
          [](Frame& f) { rectangle(f).x1 = 12289.0f; },
-         {{"pass 1 'composite': draws[0].x1", "must lie within 12288 pixels of 0 (got 12289)"}}},
+         {{"pass 1 'composite': draws[0].x1", "must lie within 16384 pixels of 0 (got 16385)"}}},
         {"too far up",
-         [](Frame& f) { rectangle(f).y0 = -12288.5f; },
-         {{"pass 1 'composite': draws[0].y0", "must lie within 12288 pixels of 0 (got -12288.5)"}}},
+         [](Frame& f) { rectangle(f).y0 = -16384.5f; },
+         {{"pass 1 'composite': draws[0].y0", "must lie within 16384 pixels of 0 (got -16384.5)"}}},
         {"corner is no number",
          [](Frame& f) { rectangle(f).y0 = kNan; },
          {{"pass 1 'composite': draws[0].y0", "must be finite (got nan)"}}},
@@ -466,8 +466,8 @@ TEST_CASE("validate: draws") {
         {"far repeats of nothing", [](Frame& f) { rectangle(f).uv[1].u0 = 1e6f; }},
         {"as far as it goes",
          [](Frame& f) {
-             rectangle(f).x0 = rectangle(f).y0 = -12288.0f;
-             rectangle(f).x1 = rectangle(f).y1 = 12288.0f;
+             rectangle(f).x0 = rectangle(f).y0 = -16384.0f;
+             rectangle(f).x1 = rectangle(f).y1 = 16384.0f;
          }},
     });
 }

@@ -50,8 +50,8 @@ class Checker {
     ~Checker() { flush(); }
     void add(const Pixel& source, const Pixel& dest) {
         batch_->color.lanes[used_] = source.argb();
-        target_.row(0)[used_]   = dest.argb();
-        wanted_[used_]          = expected(constants_, source, dest);
+        target_.row(0)[used_]      = dest.argb();
+        wanted_[used_]             = expected(constants_, source, dest);
         if (++used_ == kWidth) flush();
     }
     void flush() {

@@ -300,18 +300,18 @@ TEST_CASE("Alpha and depth tests keep a fragment if it compares so to the refere
 
 TEST_CASE("A texel is read only where an operation looks at it", "[reference]") {
     FillState state;
-    CHECK_FALSE(reads_texel(state, 0));
+    CHECK_FALSE(reads(state, 0, CombineArg::Source::Texel));
     state.stages[0].color.a.source = Source::Texel;
-    CHECK_FALSE(reads_texel(state, 0));
+    CHECK_FALSE(reads(state, 0, CombineArg::Source::Texel));
     state.stage_count = 1;
-    CHECK(reads_texel(state, 0));
-    CHECK_FALSE(reads_texel(state, 1));
+    CHECK(reads(state, 0, CombineArg::Source::Texel));
+    CHECK_FALSE(reads(state, 1, CombineArg::Source::Texel));
     state.stages[0].color = {CombineOp::Select, {Source::Diffuse}, {Source::Texel}};
-    CHECK_FALSE(reads_texel(state, 0));
+    CHECK_FALSE(reads(state, 0, CombineArg::Source::Texel));
     state.stages[0].color.op = CombineOp::Add;
-    CHECK(reads_texel(state, 0));
+    CHECK(reads(state, 0, CombineArg::Source::Texel));
     state.stages[0].color          = {};
     state.stages[0].alpha.a.source = Source::Texel;
-    CHECK(reads_texel(state, 0));
-    CHECK_FALSE(reads_texel(state, 2));
+    CHECK(reads(state, 0, CombineArg::Source::Texel));
+    CHECK_FALSE(reads(state, 2, CombineArg::Source::Texel));
 }

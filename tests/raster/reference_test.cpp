@@ -331,21 +331,6 @@ TEST_CASE("A vertex at a covered centre gives its own colour", "[reference]") {
     }
 }
 
-TEST_CASE("Flat shading takes the colours of vertex 0, either way round", "[reference]") {
-    FillState state;
-    state.flat         = true;
-    state.add_specular = true;
-    Triangle t         = {vertex(0, 0, 0x40102030), vertex(9, 0, 0xffffffff), vertex(0, 9, 0xff00ff00)};
-    t[0].specular      = 0x00010203;
-    t[1].specular      = 0xffffffff;
-    for (int turn = 0; turn < 2; ++turn, std::swap(t[1], t[2])) {
-        Canvas canvas(8, 8);
-        const FillCounts counts = canvas.draw(state, {t});
-        CHECK(counts.covered > 20);
-        CHECK(drawn_pixels(canvas.color, 0x40112233) == static_cast<int>(counts.covered));
-    }
-}
-
 TEST_CASE("Triangles are drawn before rectangles, and draws in their order", "[reference]") {
     Image color(4, 4);
     Draw first, second;

@@ -119,8 +119,8 @@ DrawRectangle random_rectangle(const Frame& frame, const TextureBindings& textur
             break;
         }
         case 2:  // far beyond the target
-            draw.x0 = random.real(-12288.0f, 0.0f), draw.y0 = random.real(-12288.0f, 0.0f);
-            draw.x1 = random.real(width, 12288.0f), draw.y1 = random.real(height, 12288.0f);
+            draw.x0 = random.real(-16384.0f, 0.0f), draw.y0 = random.real(-16384.0f, 0.0f);
+            draw.x1 = random.real(width, 16384.0f), draw.y1 = random.real(height, 16384.0f);
             break;
         case 3:  // no width
             draw.x0 = draw.x1 = random.real(0.0f, width);
