@@ -61,33 +61,18 @@ class Grower {
     // One more generation, on all there are. Each parent's children are a golden angle apart, and neighbouring parents
     // begin a golden angle apart.
     void add(const Generation& rule, int generation) {
-        constexpr int kTries           = 6;
         const std::size_t parent_count = particles_.size();
         std::vector<Azimuth> next(parent_count);
-        std::vector<int> seated(parent_count);
+        std::vector<int> asked(parent_count);
         for (std::size_t i = 1; i < parent_count; ++i) next[i] = next[i - 1].turned_by(kGoldenAngle);
         for (int i = 0; i < rule.count && parent_count > 0; ++i) {
-            const float t           = (static_cast<float>(i) + 0.5f) / static_cast<float>(rule.count);
-            const std::size_t which = emptiest(seated);
-            const Particle parent   = particles_[which];
-            const Azimuth turn      = small_turn(jitter_ * next_signed(random_));
-            const float swell       = 1.0f + jitter_ * static_cast<float>(next_signed(random_));
-            ++seated[which];
-
-            Particle child   = parent;
-            child.generation = generation;
-            child.radius =
-                core_radius_[which] * (rule.first_radius + (rule.last_radius - rule.first_radius) * t) * swell;
-            for (int tried = 0; tried < kTries; ++tried) {
-                const Azimuth azimuth = next[which].turned_by(turn);
-                next[which]           = next[which].turned_by(kGoldenAngle);
-                child.center =
-                    parent.center + direction(azimuth, rule.lowest + rule.rise * t) * (parent.radius * rule.seat);
-                if (buried_share(child, particles_) <= rule.greatest_burial) {
-                    particles_.push_back(child);
-                    core_radius_.push_back(core_radius_[which]);
-                    break;
-                }
+            const float t      = (static_cast<float>(i) + 0.5f) / static_cast<float>(rule.count);
+            const Azimuth turn = small_turn(jitter_ * next_signed(random_));
+            const float swell  = 1.0f + jitter_ * static_cast<float>(next_signed(random_));
+            for (int parents = 0; parents < kParentsTried; ++parents) {
+                const std::size_t which = emptiest(asked);
+                ++asked[which];
+                if (seat(rule, generation, t, swell, turn, which, next[which])) break;
             }
         }
     }
@@ -95,12 +80,36 @@ class Grower {
     std::vector<Particle> particles() && { return std::move(particles_); }
 
   private:
-    // The parent with the most surface for each child it has, the next one included.
-    std::size_t emptiest(const std::vector<int>& seated) const {
+    static constexpr int kParentsTried = 4, kAzimuthsTried = 6;
+    static constexpr float kMostOfParent = 0.6f;
+
+    // One child on parent `which`, at the first of its next azimuths where it is not buried; false if there is none.
+    bool seat(const Generation& rule, int generation, float t, float swell, const Azimuth& turn, std::size_t which,
+              Azimuth& next) {
+        const Particle parent = particles_[which];
+        Particle child        = parent;
+        child.generation      = generation;
+        const float share     = rule.first_radius + (rule.last_radius - rule.first_radius) * t;
+        child.radius          = std::min(core_radius_[which] * share, parent.radius * kMostOfParent) * swell;
+        for (int tried = 0; tried < kAzimuthsTried; ++tried) {
+            const Azimuth azimuth = next.turned_by(turn);
+            next                  = next.turned_by(kGoldenAngle);
+            child.center =
+                parent.center + direction(azimuth, rule.lowest + rule.rise * t) * (parent.radius * rule.seat);
+            if (buried_share(child, particles_) > rule.greatest_burial) continue;
+            particles_.push_back(child);
+            core_radius_.push_back(core_radius_[which]);
+            return true;
+        }
+        return false;
+    }
+
+    // The parent with the most surface for each child it was asked to seat, the next one included.
+    std::size_t emptiest(const std::vector<int>& asked) const {
         std::size_t best = 0;
         float most       = -1.0f;
-        for (std::size_t i = 0; i < seated.size(); ++i) {
-            const float surface = particles_[i].radius * particles_[i].radius / static_cast<float>(seated[i] + 1);
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            const float surface = particles_[i].radius * particles_[i].radius / static_cast<float>(asked[i] + 1);
             if (surface > most) most = surface, best = i;
         }
         return best;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Grows a cumulus on given cores: a crown of smaller particles on the cores' upper sides, and a rim of small ones all
 // over both. Azimuths follow the golden angle, so no two children of a parent line up; a child that would be buried in
-// what already stands is moved on, or left out. Ratios near one half from one generation to the next make the outline
+// what already stands is moved on, at last to another parent, or left out. Ratios near one half from one generation to the next make the outline
 // self-similar.
 #pragma once
 
@@ -14,8 +14,8 @@
 namespace cloud {
 
 // seat: of a child's centre, in radii of its parent. A child's radius is that of the core it descends from times a value
-// that falls from the first to the last child of its generation; the sine of its elevation rises from lowest to
-// lowest + rise. Parents get children in proportion to their surface.
+// that falls from the first to the last child of its generation, but at most 0.6 of its parent's; the sine of its
+// elevation rises from lowest to lowest + rise. Parents get children in proportion to their surface.
 struct Generation {
     int count             = 0;
     float seat            = 0.85f;

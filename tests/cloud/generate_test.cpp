@@ -33,7 +33,7 @@ TEST_CASE("three generations grow, each on the one before and smaller") {
             return parent.generation < child.generation &&
                    (child.generation == 2 || child.center.y > parent.center.y) &&
                    glm::length(child.center - parent.center) == Approx(seat * parent.radius).margin(1e-3) &&
-                   child.radius < 0.56f * parent.radius;
+                   child.radius < 0.61f * parent.radius;
         });
         INFO("particle " << i);
         CHECK(seated);
@@ -65,12 +65,17 @@ TEST_CASE("the seed moves jittered children and nothing else; without jitter it 
     CHECK(glm::length(c[5].center - c[0].center) == Approx(0.85f * 18.0f));
 }
 
-TEST_CASE("a buried child is left out") {
-    // The cores fill all places where a child could sit.
-    const std::vector<Particle> cores{{.center = Vec3(0.0f), .radius = 10.0f}, {.center = Vec3(0.0f), .radius = 30.0f}};
-    const Generation crown{.count = 2};
-    const auto particles = grow(std::span(cores).first(2), {.crown = crown, .rim = {}});
-    CHECK(particles.size() == 3);  // the child of the outer core alone
+TEST_CASE("a buried child goes to another parent, or is left out") {
+    // All places on the inner core are inside the outer one.
+    const std::vector<Particle> cores{{.center = Vec3(0.0f), .radius = 45.0f}, {.center = Vec3(0.0f), .radius = 90.0f}};
+    const Generation crown{.count = 6};
+    const auto particles = grow(cores, {.crown = crown, .rim = {}});
+    CHECK(particles.size() == 8);
+    for (std::size_t i = 2; i < particles.size(); ++i) CHECK(glm::length(particles[i].center) > 60.0f);
+
+    // A child always reaches into its parent, so none may be seated where nothing may be buried.
+    const Generation strict{.count = 12, .greatest_burial = 0.0f};
+    CHECK(grow(cores, {.crown = strict, .rim = {}}).size() == 2);
     CHECK(buried_share(cores[0], std::span(cores).last(1)) == 1.0f);
     CHECK(buried_share(cores[1], std::span(cores).first(1)) == 0.0f);
     CHECK(grow({}, {}).empty());
