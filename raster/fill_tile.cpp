@@ -128,6 +128,7 @@ class TileFill {
 }  // namespace
 
 FillCounts fill_tile(std::span<const Command* const> commands, const Rect& tile, Image* color, Image* depth) {
+    if (commands.empty()) return {};
     TileFill fill(color, depth);
     for (const Command* command : commands) fill.fill(*command, tile);
     return fill.counts();

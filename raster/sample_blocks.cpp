@@ -128,14 +128,9 @@ SamplePlan plan_sampler(const Sampler& sampler) {
     plan.mip         = sampler.mip;
     plan.address_u   = sampler.address_u;
     plan.address_v   = sampler.address_v;
-    if (sampler.levels.empty()) return plan;
-    plan.texels = sampler.levels[0].texels;
     for (int i = 0; i < plan.level_count; ++i) {
         const TextureLevel& level = sampler.levels[i];
-        plan.levels[i]            = {.offset = static_cast<std::int32_t>(level.texels - plan.texels),
-                                     .stride = static_cast<std::int32_t>(level.stride),
-                                     .width  = level.width,
-                                     .height = level.height};
+        plan.levels[i]            = {level.texels, static_cast<std::int32_t>(level.stride), level.width, level.height};
     }
     return plan;
 }

@@ -13,11 +13,11 @@ namespace raster {
 
 inline constexpr int kMaxLevels = 14;  // 8192 texels
 
-// A sampler as the kernel wants it: levels as offsets into one array of texels.
+// A sampler as the kernel wants it.
 struct SamplePlan {
-    const std::uint32_t* texels = nullptr;
     struct Level {
-        std::int32_t offset = 0, stride = 0;  // texels
+        const std::uint32_t* texels = nullptr;
+        std::int32_t stride         = 0;  // texels
         std::int32_t width = 0, height = 0;
     };
     std::array<Level, kMaxLevels> levels;

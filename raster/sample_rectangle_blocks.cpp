@@ -46,24 +46,37 @@ HWY_INLINE bool load_halved(const std::uint32_t* row0, const std::uint32_t* row1
 }
 #endif
 
+// How u advances over a vector of lanes. u is the floor of evenly spaced values, but modulo 2^24, so both ends count: with
+// the first step between 0 and 512, a total of `step` for each lane means that every step is the same, and a total
+// that is positive and no more means that none has wrapped.
+struct Advance {
+    int step;
+    bool is_even, is_forward;
+};
+HWY_INLINE Advance advance_of(const std::int32_t* u) {
+    const int last_lane = lane_count() - 1;
+    const int step = last_lane > 0 ? u[1] - u[0] : 256, total = u[last_lane] - u[0];
+    const bool is_small = step >= 0 && step <= 512;
+    return {step, is_small && total == step * last_lane, is_small && total > 0};
+}
+
 // The neighbours of one vector of lanes if contiguous loads give them; false at the border and for other steps.
-HWY_INLINE bool load_quad(const SamplePlan& plan, const std::int32_t* u, std::int32_t v, Quad& quad) {
+HWY_INLINE bool load_quad(const SamplePlan& plan, const std::int32_t* u, std::int32_t v, const Advance& advance,
+                          Quad& quad) {
     const SamplePlan::Level& level = plan.levels[0];
     const int last_lane            = lane_count() - 1;
     const int first = (u[0] - 128) >> 8, last = (u[last_lane] - 128) >> 8, j = (v - 128) >> 8;
     if (first < 0 || j < 0 || j + 1 >= level.height) return false;
-    const std::uint32_t* const row0 = plan.texels + static_cast<std::ptrdiff_t>(j) * level.stride + first;
+    const std::uint32_t* const row0 = level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + first;
     const std::uint32_t* const row1 = row0 + level.stride;
-    // u is the floor of evenly spaced values, so its total change tells every single one.
-    const int change                = u[last_lane] - u[0];
-    if (change == 256 * last_lane && last + 1 < level.width) {
+    if (advance.is_even && advance.step == 256 && last + 1 < level.width) {
         const DU d;
         quad = {hn::LoadU(d, row0), hn::LoadU(d, row0 + 1), hn::LoadU(d, row1), hn::LoadU(d, row1 + 1)};
         return true;
     }
     if (!kHasWindows) return false;
-    if (change == 512 * last_lane && last + 1 < level.width) return load_halved(row0, row1, quad);
-    if (change > 0 && last + 1 - first <= last_lane && first + last_lane < level.width)
+    if (advance.is_even && advance.step == 512 && last + 1 < level.width) return load_halved(row0, row1, quad);
+    if (advance.is_forward && last + 1 - first <= last_lane && first + last_lane < level.width)
         return load_window(row0, row1, u, quad);
     return false;
 }
@@ -101,17 +114,17 @@ void sample_rectangle_linear(const SamplePlan& plan, const SamplePoints& points,
             const std::int32_t* const at = points.u[block] + lane;
             const std::int32_t v_there   = points.v[block][lane];
             const VI u = hn::Load(DI(), at), v = seti(v_there);
+            const Advance advance = advance_of(at);
             Quad quad;
             VU texel;
-            if (!load_quad(plan, at, v_there, quad)) {
+            if (!load_quad(plan, at, v_there, advance, quad)) {
                 texel = sample_level<true>(plan, 0, u, v);
             } else {
                 const VI moved_u = hn::Sub(u, seti(128)), moved_v = hn::Sub(v, seti(128));
-                const int step = kBlockWidth > 1 && lane_count() > 1 ? at[1] - at[0] : 256;
-                const int bits = (at[0] | v_there | step);
-                if ((bits & 255) == 0)
+                const int bits = at[0] | v_there | advance.step;
+                if (advance.is_even && (bits & 255) == 0)
                     texel = average(quad);  // both fractions are one half
-                else if ((bits & 63) == 0 && at[lane_count() - 1] - at[0] == step * (lane_count() - 1))
+                else if (advance.is_even && (bits & 63) == 0)
                     texel = weigh_quarters(quad, moved_u, moved_v);
                 else
                     texel = weigh(quad, moved_u, moved_v);
@@ -126,11 +139,12 @@ void sample_rectangle_point(const SamplePlan& plan, const SamplePoints& points, 
     for (int block = 0; block < count; ++block)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
             const std::int32_t* const at = points.u[block] + lane;
-            const int i = at[0] >> 8, j = points.v[block][lane] >> 8, last_lane = lane_count() - 1;
-            const bool contiguous = at[last_lane] - at[0] == 256 * last_lane && i >= 0 && i + last_lane < level.width &&
-                                    j >= 0 && j < level.height;
+            const int i = at[0] >> 8, j = points.v[block][lane] >> 8;
+            const Advance advance = advance_of(at);
+            const bool contiguous = advance.is_even && advance.step == 256 && i >= 0 &&
+                                    i + lane_count() <= level.width && j >= 0 && j < level.height;
             const VU texel =
-                contiguous ? hn::LoadU(DU(), plan.texels + static_cast<std::ptrdiff_t>(j) * level.stride + i)
+                contiguous ? hn::LoadU(DU(), level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + i)
                            : sample_level<false>(plan, 0, hn::Load(DI(), at), hn::Load(DI(), points.v[block] + lane));
             hn::Store(texel, DU(), out[block] + lane);
         }

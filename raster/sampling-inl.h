@@ -59,7 +59,7 @@ HWY_INLINE VU weigh(const Quad& quad, VI u, VI v) {
 template <bool kLinear>
 HWY_INLINE VU sample_level(const SamplePlan& plan, int index, VI u, VI v) {
     const SamplePlan::Level& level    = plan.levels[index];
-    const std::uint32_t* const texels = plan.texels + level.offset;
+    const std::uint32_t* const texels = level.texels;
     const VI stride                   = seti(level.stride);
     u                                 = hn::ShiftRightSame(u, index);
     v                                 = hn::ShiftRightSame(v, index);

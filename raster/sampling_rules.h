@@ -53,7 +53,7 @@ struct TextureLevel {
     std::ptrdiff_t stride = 0;
 };
 
-// No levels: every texel is white.
+// No levels: every texel is white. At most 14, from 8192 texels down to 1.
 struct Sampler {
     std::vector<TextureLevel> levels;
     bool linear       = false;

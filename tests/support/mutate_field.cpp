@@ -76,7 +76,7 @@ void mutate(T& value, Random& random) {
                                    random);
     } else {
         value = other_value(
-            value, {std::numeric_limits<T>::min(), std::numeric_limits<T>::max(), T{1}, static_cast<T>(value + 1)},
+            value, {std::numeric_limits<T>::min(), std::numeric_limits<T>::max(), T{1}, static_cast<T>(static_cast<std::uint64_t>(value) + 1)},
             random);
     }
 }
