@@ -24,20 +24,30 @@ int cover_triangle(const TileEdges& edges, int y, FragmentBatch& batch, std::uin
     const int first_x       = edges.bounds.x0 & ~(kBlockWidth - 1);
     const int blocks_in_row = (edges.bounds.x1 - first_x + kBlockWidth - 1) / kBlockWidth;
     const VI before_x = seti(edges.bounds.x0 - 1), end_x = seti(edges.bounds.x1);
+    // What an edge gains from the first lane of a block to each of the others.
+    alignas(64) std::int32_t gain[3][kBlockWidth];
+    for (int i = 0; i < 3; ++i)
+        for (int lane = 0; lane < kBlockWidth; lane += lane_count())
+            hn::Store(hn::Mul(lane_index(lane), seti(edges.a[i])), DI(), gain[i] + lane);
+
     batch.count = 0;
     for (; y < edges.bounds.y1 && batch.count + blocks_in_row <= kBatchBlocks; ++y) {
         for (int x = first_x; x < edges.bounds.x1; x += kBlockWidth) {
+            std::int32_t start[3], outside = 0;
+            for (int i = 0; i < 3; ++i) {
+                start[i] = edges.e[i] + edges.a[i] * (x - edges.x) + edges.b[i] * (y - edges.y);
+                // An edge that is negative at both ends of the block is so between them.
+                outside |= start[i] & (start[i] + gain[i][kBlockWidth - 1]);
+            }
+            if (outside < 0) continue;
             std::uint32_t* mask = batch.mask[batch.count];
             int inside          = 0;
             for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-                const VI index  = lane_index(lane);
-                const auto edge = [&](int i) HWY_ATTR {
-                    const std::int32_t start = edges.e[i] + edges.a[i] * (x - edges.x) + edges.b[i] * (y - edges.y);
-                    return hn::Add(seti(start), hn::Mul(index, seti(edges.a[i])));
-                };
+                const auto edge = [&](int i)
+                                      HWY_ATTR { return hn::Add(seti(start[i]), hn::Load(DI(), gain[i] + lane)); };
                 // The sign bit of the sum of bits is set if any edge is negative.
                 const VI any_outside = hn::Or(edge(0), hn::Or(edge(1), edge(2)));
-                const VI px          = hn::Add(index, seti(x));
+                const VI px          = hn::Add(lane_index(lane), seti(x));
                 const auto in =
                     hn::And(hn::Gt(any_outside, seti(-1)), hn::And(hn::Gt(px, before_x), hn::Lt(px, end_x)));
                 hn::Store(hn::BitCast(DU(), hn::VecFromMask(DI(), in)), DU(), mask + lane);
