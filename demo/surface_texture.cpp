@@ -17,8 +17,9 @@ constexpr float kFileTileMeters      = 32.0f;
 pipeline::Texture read_texture(const FileReference& file) {
     try {
         pipeline::ColorImage image = read_image(file.path);
-        // Surfaces are opaque, whatever the file says.
-        for (std::uint32_t& pixel : image.pixels) pixel |= 0xff000000u;
+        // Alpha is not the file's but how readily rock breaks through sand (rock_texture.h): evenly.
+        constexpr auto kEvenly     = static_cast<std::uint32_t>(kLeastBareness * 255.0f + 0.5f) << 24;
+        for (std::uint32_t& pixel : image.pixels) pixel = (pixel & 0x00ffffffu) | kEvenly;
         return texture_pyramid(file.path, image.width, image.height, std::move(image.pixels));
     } catch (const std::runtime_error& error) {
         throw SceneError(file.named_at + ": " + error.what());

@@ -79,6 +79,9 @@ TEST_CASE("frames of clouds are valid: both modes, odd sizes, inside, far away, 
     const Frame frame = cloud_frame(clouds, view);
     CHECK(frame.passes.size() > 8);
     for (const Finding& finding : validate(frame)) FAIL_CHECK(finding.where + ": " + finding.what);
+
+    const View largest = look(Vec3(0.0f, 60.0f, z), Vec3(2.0f, 60.0f, -300.0f), kMaxTargetSize, kMaxTargetSize);
+    CHECK(validate(cloud_frame(clouds, largest)).empty());
 }
 
 TEST_CASE("article mode is the article's passes in their order") {

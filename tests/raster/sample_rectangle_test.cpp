@@ -69,8 +69,8 @@ TEST_CASE("blits at any step are those of the reference", "[raster][agreement]")
                 Image wanted(80, 5);
                 PassFill pass{.color = &wanted, .scissor = wanted.bounds(), .draws = {draw}};
                 const FillCounts counts = reference_fill_pass(pass);
+                INFO("step " << step << " from " << from << ", texture " << texture_width << " wide");
                 test_support::for_each_simd_target([&] {
-                    INFO("step " << step << " from " << from << ", texture " << texture_width << " wide");
                     Image got(80, 5);
                     pass.color = &got;
                     CHECK(fill_pass(pass) == counts);
