@@ -75,9 +75,10 @@ void mutate(T& value, Random& random) {
                                     static_cast<float>(random.bits())},
                                    random);
     } else {
-        value = other_value(
-            value, {std::numeric_limits<T>::min(), std::numeric_limits<T>::max(), T{1}, static_cast<T>(static_cast<std::uint64_t>(value) + 1)},
-            random);
+        value = other_value(value,
+                            {std::numeric_limits<T>::min(), std::numeric_limits<T>::max(), T{1},
+                             static_cast<T>(static_cast<std::uint64_t>(value) + 1)},
+                            random);
     }
 }
 
