@@ -2,7 +2,6 @@
 #include "cloud/fractal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "cloud/noise.h"

@@ -2,7 +2,6 @@
 #include "cloud/mega_particles/cloud_draw.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cloud {
 

@@ -3,7 +3,6 @@
 // rectangles they are held to. Also the few helpers that all of these passes use.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
