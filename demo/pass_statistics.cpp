@@ -22,6 +22,7 @@ constexpr std::array kCounts{
     Count{"triangles_in", "", &PassCounts::triangles_in},
     Count{"triangles_drawn", "triangles", &PassCounts::triangles_drawn},
     Count{"rectangles", "rects", &PassCounts::rectangles},
+    Count{"copies", "", &PassCounts::copies},
     Count{"covered", "covered", &PassCounts::covered},
     Count{"depth_tested", "z-tested", &PassCounts::depth_tested},
     Count{"depth_passed", "z-passed", &PassCounts::depth_passed},

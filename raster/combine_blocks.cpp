@@ -10,32 +10,66 @@ HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
 
-// The ops, on pairs of bytes.
-HWY_INLINE VU combine(CombineOp op, VU a, VU b) {
+// What a rule makes of products of bytes, on pairs.
+struct Nearest255 {
+    static HWY_INLINE VU product(VU a, VU b) { return div255(mul16(a, b)); }
+    static HWY_INLINE VU product_2x(VU a, VU b) {
+        const VU once = mul16(a, b);
+        return div255_limited(add_saturated16(once, once));
+    }
+    static HWY_INLINE VU product_4x(VU a, VU b) {
+        const VU once = mul16(a, b), two = add_saturated16(once, once);
+        return div255_limited(add_saturated16(two, two));
+    }
+    static HWY_INLINE VU lerp(VU a, VU b, VU c) { return div255(add16(mul16(a, c), mul16(b, invert(c)))); }
+    static constexpr std::uint32_t kHalf = 127, kOne = 255;  // of AddSigned and AddSigned2X
+};
+struct Tev {
+    // (k * p + 128) >> 8 = (p + 128 / k) >> (8 - log2 k), which stays within 16 bits.
+    static HWY_INLINE VU product(VU a, VU b) { return shift_right16<8>(add16(mul16(a, expand256(b)), set_pair(128))); }
+    static HWY_INLINE VU product_2x(VU a, VU b) {
+        return shift_right16<7>(add16(mul16(a, expand256(b)), set_pair(64)));
+    }
+    static HWY_INLINE VU product_4x(VU a, VU b) {
+        return shift_right16<6>(add16(mul16(a, expand256(b)), set_pair(32)));
+    }
+    static HWY_INLINE VU lerp(VU a, VU b, VU c) {
+        const VU f = expand256(c);
+        return shift_right16<8>(add16(add16(mul16(a, f), mul16(b, sub16(set_pair(256), f))), set_pair(128)));
+    }
+    static constexpr std::uint32_t kHalf = 128, kOne = 256;
+};
+struct Shift7 : Nearest255 {  // whatever it has no rule for is never asked of it
+    static HWY_INLINE VU product(VU a, VU b) { return shift_right16<7>(mul16(a, b)); }
+};
+
+// The ops, on pairs of bytes. Sums stay below 2^16.
+template <class Rule>
+HWY_INLINE VU combine(CombineOp op, VU a, VU b, VU c) {
     const VU most = set_pair(255);
     switch (op) {
         case CombineOp::Select:
             return a;
         case CombineOp::Modulate:
-            return div255(mul16(a, b));
-        case CombineOp::Modulate2X: {
-            const VU product = mul16(a, b);
-            return div255_limited(add_saturated16(product, product));
-        }
-        case CombineOp::Modulate4X: {
-            const VU product = mul16(a, b), twice = add_saturated16(product, product);
-            return div255_limited(add_saturated16(twice, twice));
-        }
+            return min16(Rule::product(a, b), most);
+        case CombineOp::Modulate2X:
+            return min16(Rule::product_2x(a, b), most);
+        case CombineOp::Modulate4X:
+            return min16(Rule::product_4x(a, b), most);
         case CombineOp::Add:
             return min16(add16(a, b), most);
         case CombineOp::AddSigned:
-            return min16(sub_saturated16(add16(a, b), set_pair(127)), most);
+            return min16(sub_saturated16(add16(a, b), set_pair(Rule::kHalf)), most);
         case CombineOp::AddSigned2X: {
             const VU sum = add16(a, b);
-            return min16(sub_saturated16(add16(sum, sum), most), most);
+            return min16(sub_saturated16(add16(sum, sum), set_pair(Rule::kOne)), most);
         }
         case CombineOp::Subtract:
             return sub_saturated16(a, b);
+        case CombineOp::Lerp:
+            return Rule::lerp(a, b, c);
+        case CombineOp::MultiplyAdd:
+            return min16(add16(Rule::product(a, b), c), most);
     }
     return a;
 }
@@ -68,6 +102,15 @@ struct Arguments {
     }
 };
 
+template <class Rule>
+HWY_INLINE Pixels combine(const Combine& how, const Arguments& argument) {
+    const Pixels a = argument(how.a), b = argument(how.b);
+    const bool ternary = how.op == CombineOp::Lerp || how.op == CombineOp::MultiplyAdd;
+    const Pixels c     = ternary ? argument(how.c) : a;
+    return {combine<Rule>(how.op, a.lo, b.lo, c.lo), combine<Rule>(how.op, a.hi, b.hi, c.hi)};
+}
+
+template <class Rule>
 void combine_stage(const CombineStage& stage, int index, std::uint32_t constant, FragmentBatch& batch) {
     const bool alike = stage.color == stage.alpha;
     for (int block = 0; block < batch.count; ++block) {
@@ -76,14 +119,22 @@ void combine_stage(const CombineStage& stage, int index, std::uint32_t constant,
             const Arguments argument{hn::Load(DU(), batch.diffuse[block] + lane), hn::Load(DU(), current + lane),
                                      hn::Load(DU(), batch.texel[index][block] + lane), set(constant),
                                      hn::Load(DU(), batch.specular[block] + lane)};
-            const Pixels a = argument(stage.color.a), b = argument(stage.color.b);
-            Pixels out{combine(stage.color.op, a.lo, b.lo), combine(stage.color.op, a.hi, b.hi)};
-            if (!alike) {
-                const VU alpha = combine(stage.alpha.op, argument(stage.alpha.a).hi, argument(stage.alpha.b).hi);
-                out.hi         = select(set(0xffff0000), alpha, out.hi);
-            }
+            Pixels out = combine<Rule>(stage.color, argument);
+            if (!alike) out.hi = select(set(0xffff0000), combine<Rule>(stage.alpha, argument).hi, out.hi);
             hn::Store(pack(out), DU(), batch.color[block] + lane);
         }
+    }
+}
+
+void combine_stage(const CombineStage& stage, CombineRule rule, int index, std::uint32_t constant,
+                   FragmentBatch& batch) {
+    switch (rule) {
+        case CombineRule::Nearest255:
+            return combine_stage<Nearest255>(stage, index, constant, batch);
+        case CombineRule::Tev:
+            return combine_stage<Tev>(stage, index, constant, batch);
+        case CombineRule::Shift7:
+            return combine_stage<Shift7>(stage, index, constant, batch);
     }
 }
 
@@ -105,12 +156,23 @@ void add_specular(FragmentBatch& batch) {
     });
 }
 
-void apply_fog(std::uint32_t fog_color, FragmentBatch& batch) {
-    for_each_color(batch, [fog_color](VU argb, VU specular) HWY_ATTR {
+void apply_fog(FogRule rule, std::uint32_t fog_color, FragmentBatch& batch) {
+    for_each_color(batch, [rule, fog_color](VU argb, VU specular) HWY_ATTR {
         const Pixels c = unpack(argb), fog = unpack(set(fog_color));
-        const VU f = alpha_pair(unpack(specular)), rest = invert(f);
-        return pack(
-            {div255(add16(mul16(c.lo, f), mul16(fog.lo, rest))), div255(add16(mul16(c.hi, f), mul16(fog.hi, rest)))});
+        const VU f = alpha_pair(unpack(specular)), rest = invert(f), rest256 = sub16(set_pair(256), f);
+        const auto mix = [&](VU color, VU k) HWY_ATTR {
+            const VU product = mul16(color, f);
+            switch (rule) {
+                case FogRule::Nearest255:
+                    break;
+                case FogRule::Floor256:
+                    return shift_right16<8>(add16(product, mul16(k, rest256)));
+                case FogRule::TwoFloors:
+                    return add16(shift_right16<8>(product), shift_right16<8>(mul16(k, rest)));
+            }
+            return div255(add16(product, mul16(k, rest)));
+        };
+        return pack({mix(c.lo, fog.lo), mix(c.hi, fog.hi)});
     });
 }
 

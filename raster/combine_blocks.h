@@ -11,9 +11,9 @@ namespace raster {
 
 struct CombineKernels {
     // batch.color = stage(batch.diffuse, color, texel[index], constant, specular); Current of stage 0 is diffuse.
-    void (*stage)(const CombineStage& stage, int index, std::uint32_t constant, FragmentBatch& batch);
+    void (*stage)(const CombineStage& stage, CombineRule rule, int index, std::uint32_t constant, FragmentBatch& batch);
     void (*add_specular)(FragmentBatch& batch);
-    void (*fog)(std::uint32_t fog_color, FragmentBatch& batch);
+    void (*fog)(FogRule rule, std::uint32_t fog_color, FragmentBatch& batch);
 };
 CombineKernels combine_kernels();  // for this processor
 

@@ -7,16 +7,20 @@
 namespace raster {
 
 struct FillCounts {
-    std::uint64_t covered      = 0;  // inside a primitive and the scissor
-    std::uint64_t alpha_passed = 0;  // of those, passed the alpha test
-    std::uint64_t depth_passed = 0;  // of those, passed the depth test: what reaches depth write and blend
-    std::uint64_t texels       = 0;  // for each covered fragment and texture 1, 4 (linear), twice that (mip linear)
-    std::uint64_t texel_bytes  = 0;  // of those, in the formats of Sampler::texel_bytes
+    std::uint64_t covered       = 0;  // inside a primitive and the scissor
+    std::uint64_t alpha_passed  = 0;  // of those, passed the alpha tests, or go on in spite of it
+    std::uint64_t depth_passed  = 0;  // of those, passed the depth test
+    std::uint64_t depth_written = 0;  // of those, wrote depth
+    std::uint64_t color_written = 0;  // of those, wrote colour: to one channel at least
+    std::uint64_t texels        = 0;  // for each covered fragment and texture 1, 4 (linear), twice that (mip linear)
+    std::uint64_t texel_bytes   = 0;  // of those, in the formats of Sampler::texel_bytes
 
     FillCounts& operator+=(const FillCounts& more) {
         covered += more.covered;
         alpha_passed += more.alpha_passed;
         depth_passed += more.depth_passed;
+        depth_written += more.depth_written;
+        color_written += more.color_written;
         texels += more.texels;
         texel_bytes += more.texel_bytes;
         return *this;

@@ -32,9 +32,10 @@ constexpr std::size_t kPartPrimitives = 512;
 constexpr std::size_t kPartEntries    = 1 << 16;
 constexpr std::size_t kWaveEntries    = 1 << 22;
 
+// Pixels that a primitive may cover, wherever in a pixel it is sampled.
 Rect box(const Rectangle& r) {
     return {static_cast<int>(std::floor(r.x0)), static_cast<int>(std::floor(r.y0)),
-            static_cast<int>(std::floor(r.x1)) + 1, static_cast<int>(std::floor(r.y1)) + 1};
+            static_cast<int>(std::floor(r.x1)) + 2, static_cast<int>(std::floor(r.y1)) + 2};
 }
 Rect box(const Triangle& t) {
     const auto [x0, x1] = std::minmax({t[0].x, t[1].x, t[2].x});
@@ -63,7 +64,7 @@ void split(const std::vector<Primitive>& primitives, const FillPlan& plan, std::
     }
 }
 
-void set_up_and_bin(Part& part, const Rect& scissor, const TileGrid& grid, std::vector<TileEntry>& entries) {
+void set_up_and_bin(Part& part, const PassFill& pass, const TileGrid& tiles, std::vector<TileEntry>& entries) {
     // Commands point into these, so they must not move: room for all first.
     part.set_up_triangles.reserve(part.triangles.size());
     part.set_up_rectangles.reserve(part.rectangles.size());
@@ -71,19 +72,19 @@ void set_up_and_bin(Part& part, const Rect& scissor, const TileGrid& grid, std::
     const FillPlan& plan = *part.plan;
     for (const Triangle& triangle : part.triangles) {
         SetUpTriangle& out = part.set_up_triangles.emplace_back();
-        if (set_up_triangle(triangle, plan.needs, scissor, out))
+        if (set_up_triangle(triangle, plan.needs, pass.grid, pass.scissor, out))
             part.commands.push_back({.plan = &plan, .triangle = &out, .rectangle = nullptr});
         else
             part.set_up_triangles.pop_back();
     }
     for (const Rectangle& rectangle : part.rectangles) {
         SetUpRectangle& out = part.set_up_rectangles.emplace_back();
-        if (set_up_rectangle(rectangle, plan.needs, scissor, out))
+        if (set_up_rectangle(rectangle, plan.needs, pass.grid, pass.scissor, out))
             part.commands.push_back({.plan = &plan, .triangle = nullptr, .rectangle = &out});
         else
             part.set_up_rectangles.pop_back();
     }
-    for (const Command& command : part.commands) bin_command(command, grid, entries);
+    for (const Command& command : part.commands) bin_command(command, tiles, entries);
 }
 
 // 0, 1, 2, .. or a fixed shuffle of it.
@@ -102,7 +103,7 @@ std::vector<int> tile_order(int count, std::uint32_t seed) {
 FillCounts fill_wave(std::span<Part> parts, const PassFill& pass, const TileGrid& grid, const std::vector<int>& order) {
     std::vector<std::vector<TileEntry>> entries(parts.size());
     tbb::parallel_for(std::size_t{0}, parts.size(),
-                      [&](std::size_t i) { set_up_and_bin(parts[i], pass.scissor, grid, entries[i]); });
+                      [&](std::size_t i) { set_up_and_bin(parts[i], pass, grid, entries[i]); });
     const Bins bins(grid.count(), entries);
 
     std::vector<FillCounts> counts(order.size());
@@ -124,7 +125,8 @@ FillCounts fill_pass(const PassFill& pass, const FillOptions& options) {
     plans.reserve(pass.draws.size());
     std::vector<Part> parts;
     for (const Draw& draw : pass.draws) {
-        const FillPlan& plan = plans.emplace_back(plan_fill(draw.state, pass.color != nullptr, pass.depth_bits));
+        const FillPlan& plan =
+            plans.emplace_back(plan_fill(draw.state, pass.color != nullptr, pass.format, pass.depth_bits));
         split(draw.triangles, plan, &Part::triangles, pass.scissor, grid, parts);
         split(draw.rectangles, plan, &Part::rectangles, pass.scissor, grid, parts);
     }

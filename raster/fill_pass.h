@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/copy_pixels.h"
 #include "raster/fill_counts.h"
 #include "raster/fill_state.h"
 #include "raster/image.h"
@@ -24,11 +25,14 @@ struct Draw {
 };
 
 // color, depth: either may be null, never both; where both are there they have the same size. A state must not test or
-// write depth without a depth image. `depth_bits`: 16, 24 or 32. `scissor` lies within the images.
+// write depth without a depth image, nor test the alpha of a destination without a colour image, or with one that has
+// no alpha. `depth_bits`: 16, 24 or 32. `format`: of the colour image. `scissor` lies within the images.
 struct PassFill {
     Image* color   = nullptr;
     Image* depth   = nullptr;
     int depth_bits = 24;
+    ColorFormat format;
+    PixelGrid grid;
     Rect scissor;
     std::vector<Draw> draws;
 };

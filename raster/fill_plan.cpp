@@ -15,13 +15,14 @@ bool reads_diffuse(const FillState& state) {
 
 }  // namespace
 
-FillPlan plan_fill(const FillState& state, bool has_color, int depth_bits) {
+FillPlan plan_fill(const FillState& state, bool has_color, const ColorFormat& format, int depth_bits) {
     FillPlan plan;
     plan.state        = state;
     plan.depth_bits   = depth_bits;
     plan.uses_depth   = state.depth_func != Compare::Always || state.depth_write;
     plan.tests_first  = state.alpha_func == Compare::Always;
-    plan.writes_color = has_color && state.write_mask != 0;
+    plan.writes_color = has_color && state.blend.write_mask != 0;
+    plan.fails_on     = !plan.tests_first && state.alpha_fail != AlphaFail::Keep;
     plan.uses_color   = plan.writes_color || state.alpha_func != Compare::Always;
 
     plan.needs.depth   = plan.uses_depth;
@@ -29,13 +30,13 @@ FillPlan plan_fill(const FillState& state, bool has_color, int depth_bits) {
     plan.needs.specular =
         plan.uses_color && (state.add_specular || state.fog || any_stage_reads(state, CombineArg::Source::Specular));
 
-    plan.cover           = cover_kernels();
-    plan.interpolate     = interpolate_kernels();
-    plan.combine         = combine_kernels();
-    plan.test            = test_kernels();
-    plan.pack            = pack_kernel();
-    plan.blend_constants = {state.source_factor, state.dest_factor, state.write_mask};
-    plan.blend           = blend_kernel(plan.blend_constants);
+    plan.cover       = cover_kernels();
+    plan.interpolate = interpolate_kernels();
+    plan.combine     = combine_kernels();
+    plan.test        = test_kernels();
+    plan.pack        = pack_kernel();
+    plan.blend_plan  = plan_blend(state.blend, format);
+    plan.blend       = blend_kernel(plan.blend_plan);
     for (int i = 0; i < kMaxTextures; ++i) {
         if (!reads(state, i, CombineArg::Source::Texel)) continue;
         SamplePlan& sampler = plan.samplers[i] = plan_sampler(state.samplers[i]);

@@ -23,6 +23,7 @@ struct FillPlan {
     bool uses_color                   = false;  // writes it, or tests its alpha
     bool tests_first                  = false;  // no alpha test, so depth can be tested before the colour is made
     bool writes_color                 = false;
+    bool fails_on                     = false;  // a fragment that fails the alpha test goes on, with less to write
     std::uint64_t texels_per_fragment = 0, texel_bytes_per_fragment = 0;
 
     CoverKernels cover;
@@ -32,11 +33,11 @@ struct FillPlan {
     PackKernel pack = nullptr;
     CombineKernels combine;
     TestKernels test;
-    BlendConstants blend_constants;
+    BlendPlan blend_plan;
     BlendKernel blend = nullptr;
 };
 
 // The one place where the instruction set is chosen, anew for each draw.
-FillPlan plan_fill(const FillState& state, bool has_color, int depth_bits);
+FillPlan plan_fill(const FillState& state, bool has_color, const ColorFormat& format, int depth_bits);
 
 }  // namespace raster

@@ -5,7 +5,9 @@ namespace raster {
 namespace {
 
 bool reads(const Combine& combine, CombineArg::Source source) {
-    return combine.a.source == source || (combine.op != CombineOp::Select && combine.b.source == source);
+    const bool ternary = combine.op == CombineOp::Lerp || combine.op == CombineOp::MultiplyAdd;
+    return combine.a.source == source || (combine.op != CombineOp::Select && combine.b.source == source) ||
+           (ternary && combine.c.source == source);
 }
 
 }  // namespace

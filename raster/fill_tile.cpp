@@ -39,18 +39,20 @@ class TileFill {
         counts_.texels += alive_ * plan.texels_per_fragment;
         counts_.texel_bytes += alive_ * plan.texel_bytes_per_fragment;
 
-        if (plan.tests_first) {
-            counts_.alpha_passed += alive_;
-            if (plan.uses_depth) test_depth(command);
-            if (plan.writes_color && alive_ > 0) make_color(command);
-        } else {
+        if (!plan.tests_first) {
             make_color(command);
-            alive_ = plan.test.alpha(plan.state.alpha_func, plan.state.alpha_reference, batch_);
-            counts_.alpha_passed += alive_;
-            if (plan.uses_depth) test_depth(command);
+            alive_ = plan.test.alpha(plan.state.alpha_func, plan.state.alpha_reference, plan.state.alpha_fail, batch_);
         }
+        if (plan.state.dest_alpha_test != DestAlphaTest::Off)
+            alive_ = plan.test.dest_alpha(plan.state.dest_alpha_test, *color_, batch_);
+        counts_.alpha_passed += alive_;
+        if (plan.uses_depth) test_depth(command);
         counts_.depth_passed += alive_;
-        if (plan.writes_color) plan.blend(plan.blend_constants, *color_, batch_);
+        if (!plan.writes_color || alive_ == 0) return;
+        if (plan.tests_first) make_color(command);
+        if (plan.fails_on) alive_ = plan.test.limit_color(bits_if_failed(plan.state), batch_);
+        counts_.color_written += alive_;
+        plan.blend(plan.blend_plan, *color_, batch_);
     }
 
     void test_depth(const Command& command) {
@@ -59,7 +61,23 @@ class TileFill {
             plan.interpolate.constant(to_depth_format(command.rectangle->depth, plan.depth_bits), batch_, batch_.depth);
         else
             plan.interpolate.depth(*command.triangle, plan.depth_bits, batch_);
-        alive_ = plan.test.depth(plan.state.depth_func, plan.state.depth_write, *depth_, batch_);
+        const bool passed_only = plan.fails_on && plan.state.alpha_fail != AlphaFail::DepthOnly;
+        alive_ = plan.test.depth(plan.state.depth_func, plan.state.depth_write, passed_only, *depth_, batch_,
+                                 counts_.depth_written);
+    }
+
+    // The bits of the colour target that a fragment may change in spite of the alpha test.
+    static std::uint32_t bits_if_failed(const FillState& state) {
+        switch (state.alpha_fail) {
+            case AlphaFail::Keep:
+            case AlphaFail::DepthOnly:
+                break;
+            case AlphaFail::ColorOnly:
+                return state.blend.write_mask;
+            case AlphaFail::RgbOnly:
+                return state.blend.write_mask & 0x00ffffff;
+        }
+        return 0;
     }
 
     void make_color(const Command& command) {
@@ -77,10 +95,10 @@ class TileFill {
             if (plan.sample[i])
                 command.rectangle ? sample_rectangle(plan, *command.rectangle, i)
                                   : sample_triangle(plan, *command.triangle, i);
-            plan.combine.stage(plan.state.stages[i], i, plan.state.constant, batch_);
+            plan.combine.stage(plan.state.stages[i], plan.state.combine_rule, i, plan.state.constant, batch_);
         }
         if (plan.state.add_specular) plan.combine.add_specular(batch_);
-        if (plan.state.fog) plan.combine.fog(plan.state.fog_color, batch_);
+        if (plan.state.fog) plan.combine.fog(plan.state.fog_rule, plan.state.fog_color, batch_);
     }
 
     void color_rectangle(const FillPlan& plan, const SetUpRectangle& rectangle) {
@@ -91,7 +109,10 @@ class TileFill {
     void color_triangle(const FillPlan& plan, const SetUpTriangle& triangle) {
         const auto make = [&](bool varies, const std::array<Plane, 4>& planes, std::uint32_t flat,
                               BlockRows<std::uint32_t>& out) {
-            varies ? plan.interpolate.color(planes, batch_, out) : plan.interpolate.constant(flat, batch_, out);
+            if (!varies)
+                plan.interpolate.constant(flat, batch_, out);
+            else
+                (plan.state.floor_colors ? plan.interpolate.floor_color : plan.interpolate.color)(planes, batch_, out);
         };
         if (plan.needs.diffuse) make(triangle.diffuse_varies, triangle.diffuse, triangle.flat_diffuse, batch_.diffuse);
         if (plan.needs.specular)

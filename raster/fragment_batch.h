@@ -27,8 +27,9 @@ struct SamplePoints {
 };
 
 struct alignas(64) FragmentBatch {
-    BlockRows<std::uint32_t> mask;   // all ones: alive
-    BlockRows<std::uint32_t> depth;  // in units of the target's format
+    BlockRows<std::uint32_t> mask;  // 0: dead. The bits of the colour target that a live lane may change, all at first
+    BlockRows<std::uint32_t> passed;  // all ones: passed the alpha test. Only where those that fail may go on
+    BlockRows<std::uint32_t> depth;   // in units of the target's format
     BlockRows<std::uint32_t> diffuse, specular, color;
     BlockRows<std::uint32_t> texel[kMaxTextures];
     SamplePoints points;

@@ -14,6 +14,7 @@ namespace raster {
 struct InterpolateKernels {
     void (*depth)(const SetUpTriangle& triangle, int depth_bits, FragmentBatch& batch);
     void (*color)(const std::array<Plane, 4>& planes, FragmentBatch& batch, BlockRows<std::uint32_t>& out);
+    void (*floor_color)(const std::array<Plane, 4>& planes, FragmentBatch& batch, BlockRows<std::uint32_t>& out);
     // u, v at the listed lanes; and lod, limited to lod_max, if that is greater than 0.
     void (*triangle_uv)(const TexturePlanes& planes, int lod_max, const FragmentBatch& batch, PackedPoints& packed);
     void (*rectangle_uv)(const SetUpRectangle::Texture& texture, int lod_max, FragmentBatch& batch);

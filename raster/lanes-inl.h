@@ -80,6 +80,17 @@ HWY_INLINE VU shift_right_signed16(VU a) {
         return static_cast<std::uint32_t>(static_cast<std::int16_t>(x) >> kBits);
     });
 }
+HWY_INLINE VU mul_high_signed16(VU a, VU b) {
+    return each_half(a, b, [](std::uint32_t x, std::uint32_t y) {
+        return static_cast<std::uint32_t>((static_cast<std::int16_t>(x) * static_cast<std::int16_t>(y)) >> 16);
+    });
+}
+HWY_INLINE VU clamp_signed16(VU a, std::int16_t least, std::int16_t most) {
+    return each_half(a, a, [least, most](std::uint32_t x, std::uint32_t) {
+        const auto value = static_cast<std::int16_t>(x);
+        return static_cast<std::uint32_t>(value < least ? least : value > most ? most : value);
+    });
+}
 #else
 using DU16 = hn::Repartition<std::uint16_t, DU>;
 using DI16 = hn::Repartition<std::int16_t, DU>;
@@ -123,6 +134,13 @@ template <int kBits>
 HWY_INLINE VU shift_right_signed16(VU a) {
     return whole(hn::ShiftRight<kBits>(hn::BitCast(DI16(), a)));
 }
+HWY_INLINE VU mul_high_signed16(VU a, VU b) {
+    return whole(hn::MulHigh(hn::BitCast(DI16(), a), hn::BitCast(DI16(), b)));
+}
+HWY_INLINE VU clamp_signed16(VU a, std::int16_t least, std::int16_t most) {
+    const DI16 d;
+    return whole(hn::Min(hn::Max(hn::BitCast(d, a), hn::Set(d, least)), hn::Set(d, most)));
+}
 #endif
 
 HWY_INLINE VU set_pair(std::uint32_t both) {
@@ -141,6 +159,15 @@ HWY_INLINE VU invert(VU v) {
     return hn::Xor(v, set_pair(255));
 }  // 255 - v for v in 0..255
 
+// v + (v >> 7), for v in 0..255: 0..256.
+HWY_INLINE VU expand256(VU v) {
+    return add16(v, shift_right16<7>(v));
+}
+// Two numbers of 16 bits from one.
+HWY_INLINE VU twice(VU low_half) {
+    return hn::Or(low_half, hn::ShiftLeft<16>(low_half));
+}
+
 struct Pixels {
     VU lo, hi;
 };
@@ -153,8 +180,7 @@ HWY_INLINE VU pack(Pixels p) {
 
 // Alpha in every half.
 HWY_INLINE VU alpha_pair(Pixels p) {
-    const VU a = hn::ShiftRight<16>(p.hi);
-    return hn::Or(a, hn::ShiftLeft<16>(a));
+    return twice(hn::ShiftRight<16>(p.hi));
 }
 
 // first, first + 1, first + 2, .. : a constant and a sum, for an Iota from a variable goes through memory.
@@ -162,8 +188,7 @@ HWY_INLINE VI lane_index(int first) {
     return hn::Add(hn::Iota(DI(), 0), seti(first));
 }
 HWY_INLINE VU lane_index_pair(int first) {
-    const VU i = hn::BitCast(DU(), lane_index(first));
-    return hn::Or(i, hn::ShiftLeft<16>(i));
+    return twice(hn::BitCast(DU(), lane_index(first)));
 }
 
 HWY_INLINE VU select(VU mask, VU yes, VU no) {

@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: MIT
 // What the rasterizer draws, and the rules that say which pixels a primitive covers and which integers it gives to each.
 //
-// Snapping   X = x * 16 and Y = y * 16, rounded to the nearest integer, ties to even: 4 subpixel bits. |x|, |y| <= 16384.
+// The grid (PixelGrid) says where a pixel is sampled, C in 1/16 pixel from its left and top edge, and how corners snap.
+// Snapping   X = x * 16 and Y = y * 16, rounded to the nearest integer, ties to even, or toward zero if `truncate`: 4
+//            subpixel bits. |x|, |y| <= 16384.
 // Triangle   With D = (X1-X0)(Y2-Y0) - (X2-X0)(Y1-Y0): nothing is drawn if D = 0; if D < 0, vertices 1 and 2 change
 //            places (and D its sign), so that the corners go clockwise on the screen. Pixel (x, y) is covered if its
-//            centre P = (16x+8, 16y+8) has E > 0, or E = 0 on a top or left edge, for each edge a->b of 0->1, 1->2, 2->0:
+//            sample point P = (16x+C, 16y+C) has E > 0, or E = 0 on a top or left edge, for each edge a->b of 0->1, 1->2, 2->0:
 //            E = (bX-aX)(PY-aY) - (bY-aY)(PX-aX). A top edge has bY = aY and bX > aX, a left edge has bY < aY.
 //            Two triangles that share an edge therefore never both cover a pixel on it, and never leave one out.
-// Rectangle  Covers pixel (x, y) if X0 <= 16x+8 < X1 and Y0 <= 16y+8 < Y1. Depth and colour are constant;
+// Rectangle  Covers pixel (x, y) if X0 <= 16x+C < X1 and Y0 <= 16y+C < Y1. Depth and colour are constant;
 //            specular is 0xff000000.
 //
 // A value that varies over a triangle starts as an integer v at each vertex and is a plane over subpixels with F
 // fraction bits, in 64-bit integers modulo 2^64 (the division truncates toward zero):
 //   gx = ((v1-v0)(Y2-Y0) - (v2-v0)(Y1-Y0)) * 2^F / D        gy = ((v2-v0)(X1-X0) - (v1-v0)(X2-X0)) * 2^F / D
-//   plane(x, y) = v0 * 2^F + gx * (16x+8 - X0) + gy * (16y+8 - Y0)        step = 16 * gx        step_y = 16 * gy
+//   plane(x, y) = v0 * 2^F + gx * (16x+C - X0) + gy * (16y+C - Y0)        step = 16 * gx        step_y = 16 * gy
 // and is read on the grid of blocks: with xb = x rounded down to a multiple of 16 and r(p, S) = floor((p + 2^(S-1)) / 2^S),
 //   value(x, y) = r(plane(xb, y), S) + (x - xb) * r(step, S)
 //   kind                  v at the vertex                              F    S    read as
-//   colour, fog (bytes)   the byte                                     23   16   (value + 64) >> 7 (arithmetic), a byte
+//   colour, fog (bytes)   the byte                                     23   16   (value + 64) >> 7, a byte; or, for a
+//                                                                                state with `floor_colors`,
+//                                                                                max(value, 0) >> 7
 //   depth                 z * (2^30 - 1) in double, nearest, ties even  12   12   value, kept within the triangle's
 //                                                                                least and greatest v
 //   texture s, t, q       see raster/sampling_rules.h                  12   12   value
-// At a covered pixel a value lies within its vertices' range but for the rounding of step (8 at most) and that of gx
-// and gy (2^20 / 2^S at most), so lanes of 16 bits (colour) and 32 bits (the others) hold it, whatever the same sum is
-// elsewhere modulo their size.
+// (value is signed, >> arithmetic). At a covered pixel a value lies within its vertices' range but for the rounding of step
+// (8 at most) and that of gx and gy (2^20 / 2^S at most), so lanes of 16 bits (colour) and 32 bits (the others) hold it,
+// whatever the same sum is elsewhere modulo their size.
 // The depth of a format with n bits is value >> (30 - n) for n <= 30, and value * 4 + (value >> 28) for n = 32.
 #pragma once
 
@@ -39,8 +43,15 @@ static_assert(FLT_EVAL_METHOD == 0, "these rules need float operations that roun
 
 namespace raster {
 
-inline constexpr int kSubpixelBits    = 4;
-inline constexpr int kSubpixels       = 1 << kSubpixelBits;
+inline constexpr int kSubpixelBits = 4;
+inline constexpr int kSubpixels    = 1 << kSubpixelBits;
+
+struct PixelGrid {
+    int center                              = kSubpixels / 2;  // C of the rules, 0..15
+    bool truncate                           = false;
+    bool operator==(const PixelGrid&) const = default;
+};
+
 inline constexpr float kMaxCoordinate = 16384.0f;  // pixels, either side of 0
 inline constexpr int kDepthBits       = 30;        // of interpolated depth
 inline constexpr int kMaxTextures     = 2;
@@ -56,9 +67,12 @@ constexpr std::uint32_t to_depth_format(std::uint32_t depth, int bits) {
 struct Subpixel {
     std::int64_t x = 0, y = 0;
 };
-inline Subpixel snap_to_subpixels(float x, float y) {
-    return {static_cast<std::int64_t>(std::nearbyint(x * float{kSubpixels})),
-            static_cast<std::int64_t>(std::nearbyint(y * float{kSubpixels}))};
+inline Subpixel snap_to_subpixels(const PixelGrid& grid, float x, float y) {
+    const auto snap = [&](float pixels) {
+        const float subpixels = pixels * float{kSubpixels};  // exact
+        return static_cast<std::int64_t>(grid.truncate ? std::trunc(subpixels) : std::nearbyint(subpixels));
+    };
+    return {snap(x), snap(y)};
 }
 
 // Homogeneous: the texture is read at (s/q, t/q), where 0..1 spans it. Times rhw, each is less than 2^40.

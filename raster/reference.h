@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The oracle: the same fill as raster/fill_pass.h, one pixel and one primitive at a time, in plain scalar C++ written
-// from the rules in primitives.h, sampling_rules.h and fill_state.h. It shares no arithmetic with the kernels, and no
-// speed.
+// from the rules in primitives.h, sampling_rules.h, fill_state.h and color_format.h. It shares no arithmetic with the
+// kernels, and no speed.
 #pragma once
 
 #include "raster/fill_pass.h"

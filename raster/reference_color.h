@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The oracle's reading of fill_state.h: what becomes of a fragment's colour, one channel at a time. Colours are
-// 0xAARRGGBB.
+// The oracle's reading of fill_state.h and color_format.h: what becomes of a fragment's colour, one channel at a time.
+// Colours are 0xAARRGGBB.
 #pragma once
 
 #include <array>
@@ -21,7 +21,11 @@ std::uint32_t combined_color(const FillState& state, const FragmentColors& fragm
 
 bool passes(Compare func, std::uint32_t fragment, std::uint32_t reference);
 
-// Step 7: what stands in the colour target afterwards.
-std::uint32_t blended_color(const FillState& state, std::uint32_t source, std::uint32_t dest);
+// Steps 7 to 9: what stands at pixel (x, y) of the colour target afterwards.
+std::uint32_t blended_color(const Blend& blend, const ColorFormat& format, std::uint32_t source, std::uint32_t dest,
+                            int x, int y);
+
+// What a target of `format` gives back of a colour written to it.
+std::uint32_t stored_color(const ColorFormat& format, std::uint32_t argb);
 
 }  // namespace raster::reference

@@ -8,17 +8,19 @@
 
 namespace raster::reference {
 
-std::int64_t snap(float pixels) {
-    // Times 16 is exact, and nearbyint takes ties to even in the default rounding mode.
-    return static_cast<std::int64_t>(std::nearbyint(pixels * 16.0f));
+std::int64_t snap(const PixelGrid& grid, float pixels) {
+    // Times 16 is exact, nearbyint takes ties to even in the default rounding mode, and a conversion truncates.
+    const float subpixels = pixels * 16.0f;
+    return static_cast<std::int64_t>(grid.truncate ? subpixels : std::nearbyint(subpixels));
 }
 
-Corners snap_clockwise(Triangle& triangle) {
-    const auto snapped = [&triangle] {
+Corners snap_clockwise(const PixelGrid& grid, Triangle& triangle) {
+    const auto snapped = [&] {
         Corners c;
+        c.center = grid.center;
         for (int i = 0; i < 3; ++i) {
-            c.x[i] = snap(triangle[i].x);
-            c.y[i] = snap(triangle[i].y);
+            c.x[i] = snap(grid, triangle[i].x);
+            c.y[i] = snap(grid, triangle[i].y);
         }
         // Less than 2^40, for coordinates of at most 2^18.
         c.d = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.x[2] - c.x[0]) * (c.y[1] - c.y[0]);
@@ -31,7 +33,7 @@ Corners snap_clockwise(Triangle& triangle) {
 }
 
 bool covers(const Corners& c, int x, int y) {
-    const std::int64_t px = 16 * std::int64_t{x} + 8, py = 16 * std::int64_t{y} + 8;
+    const std::int64_t px = 16 * std::int64_t{x} + c.center, py = 16 * std::int64_t{y} + c.center;
     for (int a = 0; a < 3; ++a) {
         const int b          = (a + 1) % 3;
         const std::int64_t e = (c.x[b] - c.x[a]) * (py - c.y[a]) - (c.y[b] - c.y[a]) * (px - c.x[a]);
@@ -43,8 +45,8 @@ bool covers(const Corners& c, int x, int y) {
 }
 
 std::uint64_t Plane::at(int x, int y) const {
-    const std::int64_t dx = 16 * std::int64_t{x} + 8 - x0;
-    const std::int64_t dy = 16 * std::int64_t{y} + 8 - y0;
+    const std::int64_t dx = 16 * std::int64_t{x} + center - x0;
+    const std::int64_t dy = 16 * std::int64_t{y} + center - y0;
     return v0 + gx * static_cast<std::uint64_t>(dx) + gy * static_cast<std::uint64_t>(dy);
 }
 
@@ -60,12 +62,13 @@ Plane make_plane(const Corners& c, const std::array<std::int64_t, 3>& v, int f, 
     const std::int64_t nx  = (v[1] - v[0]) * (c.y[2] - c.y[0]) - (v[2] - v[0]) * (c.y[1] - c.y[0]);
     const std::int64_t ny  = (v[2] - v[0]) * (c.x[1] - c.x[0]) - (v[1] - v[0]) * (c.x[2] - c.x[0]);
     Plane plane;
-    plane.v0 = static_cast<std::uint64_t>(v[0] * one);
-    plane.gx = static_cast<std::uint64_t>(nx * one / c.d);
-    plane.gy = static_cast<std::uint64_t>(ny * one / c.d);
-    plane.x0 = c.x[0];
-    plane.y0 = c.y[0];
-    plane.s  = s;
+    plane.v0     = static_cast<std::uint64_t>(v[0] * one);
+    plane.gx     = static_cast<std::uint64_t>(nx * one / c.d);
+    plane.gy     = static_cast<std::uint64_t>(ny * one / c.d);
+    plane.x0     = c.x[0];
+    plane.y0     = c.y[0];
+    plane.s      = s;
+    plane.center = c.center;
     return plane;
 }
 

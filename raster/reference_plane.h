@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The oracle's reading of primitives.h: snapping, coverage, and a value as a plane over a triangle. Names are those of
-// the rules, in lower case.
+// the rules, in lower case; C is `center`.
 #pragma once
 
 #include <array>
@@ -10,16 +10,17 @@
 
 namespace raster::reference {
 
-std::int64_t snap(float pixels);  // to subpixels
+std::int64_t snap(const PixelGrid& grid, float pixels);  // to subpixels
 
-// Snapped corners in subpixels, clockwise on the screen unless d is 0.
+// Snapped corners in subpixels, clockwise on the screen unless d is 0, and where in a pixel it is sampled.
 struct Corners {
     std::array<std::int64_t, 3> x{}, y{};
     std::int64_t d = 0;
+    int center     = 0;
 };
 
 // Snaps a triangle. Where it went counter-clockwise, its vertices 1 and 2 change places too.
-Corners snap_clockwise(Triangle& triangle);
+Corners snap_clockwise(const PixelGrid& grid, Triangle& triangle);
 
 bool covers(const Corners& corners, int x, int y);  // d is not 0
 
@@ -27,7 +28,8 @@ bool covers(const Corners& corners, int x, int y);  // d is not 0
 struct Plane {
     std::uint64_t v0 = 0, gx = 0, gy = 0;  // F fraction bits
     std::int64_t x0 = 0, y0 = 0;           // where it is v0, in subpixels
-    int s = 0;                             // the rules' S
+    int s      = 0;                        // the rules' S
+    int center = 0;
 
     std::uint64_t at(int x, int y) const;
     std::int64_t step() const { return static_cast<std::int64_t>(16 * gx); }

@@ -73,6 +73,41 @@ std::uint32_t channel(std::uint32_t color, int shift) {
     return (color >> shift) & 255;
 }
 
+// One channel of four texels.
+struct Square {
+    std::uint32_t t00, t10, t01, t11;
+};
+
+// The sum of the four by their weights, fu and fv being in 1/one.
+std::uint32_t sum_of_four(const Square& t, std::uint32_t fu, std::uint32_t fv, std::uint32_t one) {
+    return (one - fv) * ((one - fu) * t.t00 + fu * t.t10) + fv * ((one - fu) * t.t01 + fu * t.t11);
+}
+
+// One channel by `rule`; fu, fv in 1/256.
+std::uint32_t weighed(FilterRule rule, const Square& t, std::uint32_t fu, std::uint32_t fv) {
+    switch (rule) {
+        case FilterRule::Single8:
+            return (sum_of_four(t, fu, fv, 256) + (1u << 15)) >> 16;
+        case FilterRule::Single4:
+            return (sum_of_four(t, fu >> 4, fv >> 4, 16) + (1u << 7)) >> 8;
+        case FilterRule::Single7:
+            return sum_of_four(t, fu >> 1, fv >> 1, 128) >> 14;
+        case FilterRule::Cascade8: {
+            const auto lerp = [](std::uint32_t a, std::uint32_t b, std::uint32_t f) {
+                return ((256 - f) * a + f * b + 128) >> 8;
+            };
+            return lerp(lerp(t.t00, t.t10, fu), lerp(t.t01, t.t11, fu), fv);
+        }
+        case FilterRule::Cascade4: {
+            const auto lerp = [](std::uint32_t a, std::uint32_t b, std::uint32_t f) {
+                return ((16 - f) * a + f * b) >> 4;
+            };
+            return lerp(lerp(t.t00, t.t10, fu >> 4), lerp(t.t01, t.t11, fu >> 4), fv >> 4);
+        }
+    }
+    return 0;
+}
+
 std::uint32_t sample_level(const Sampler& sampler, int level, std::int32_t level0_u, std::int32_t level0_v) {
     std::int32_t u = level0_u >> level, v = level0_v >> level;
     if (!sampler.linear) return texel_at(sampler, level, u >> 8, v >> 8);
@@ -84,12 +119,26 @@ std::uint32_t sample_level(const Sampler& sampler, int level, std::int32_t level
     const std::uint32_t t00 = texel_at(sampler, level, i, j), t10 = texel_at(sampler, level, i + 1, j);
     const std::uint32_t t01 = texel_at(sampler, level, i, j + 1), t11 = texel_at(sampler, level, i + 1, j + 1);
     std::uint32_t color = 0;
-    for (int shift = 0; shift < 32; shift += 8) {
-        const std::uint32_t above = (256 - fu) * channel(t00, shift) + fu * channel(t10, shift);
-        const std::uint32_t below = (256 - fu) * channel(t01, shift) + fu * channel(t11, shift);
-        color |= (((256 - fv) * above + fv * below + (1u << 15)) >> 16) << shift;
-    }
+    for (int shift = 0; shift < 32; shift += 8)
+        color |= weighed(sampler.rule,
+                         {channel(t00, shift), channel(t10, shift), channel(t01, shift), channel(t11, shift)}, fu, fv)
+                 << shift;
     return color;
+}
+
+// One channel of two levels, f in 1/256.
+std::uint32_t mixed(FilterRule rule, std::uint32_t a, std::uint32_t b, std::uint32_t f) {
+    switch (rule) {
+        case FilterRule::Single8:
+        case FilterRule::Cascade8:
+            return (a * (256 - f) + b * f + 128) >> 8;
+        case FilterRule::Single4:
+        case FilterRule::Single7:
+        case FilterRule::Cascade4:
+            f >>= 4;
+            return (a * (16 - f) + b * f) >> 4;
+    }
+    return 0;
 }
 
 }  // namespace
@@ -134,10 +183,12 @@ std::int32_t TriangleTexture::lod_at(float u, float v, float r) const {
     return lod_of(ux, vx, uy, vy, levels_);
 }
 
-RectangleTexture::RectangleTexture(const Rectangle& rectangle, int texture, const Sampler& sampler) {
+RectangleTexture::RectangleTexture(const PixelGrid& grid, const Rectangle& rectangle, int texture,
+                                   const Sampler& sampler) {
     const Rectangle::UvRect& uv = rectangle.uv[texture];
-    u_                          = axis(uv.u0, uv.u1, sampler.levels[0].width, snap(rectangle.x0), snap(rectangle.x1));
-    v_                          = axis(uv.v0, uv.v1, sampler.levels[0].height, snap(rectangle.y0), snap(rectangle.y1));
+    const TextureLevel& level0  = sampler.levels[0];
+    u_ = axis(grid.center, uv.u0, uv.u1, level0.width, snap(grid, rectangle.x0), snap(grid, rectangle.x1));
+    v_ = axis(grid.center, uv.v0, uv.v1, level0.height, snap(grid, rectangle.y0), snap(grid, rectangle.y1));
     if (sampler.mip == MipFilter::None) return;
     const auto texels_per_pixel = [](std::int64_t step) {
         return static_cast<float>(static_cast<double>(step) / 0x1p32);
@@ -145,13 +196,14 @@ RectangleTexture::RectangleTexture(const Rectangle& rectangle, int texture, cons
     lod_ = lod_of(texels_per_pixel(u_.step), 0.0f, 0.0f, texels_per_pixel(v_.step), level_count(sampler));
 }
 
-RectangleTexture::Axis RectangleTexture::axis(float c0, float c1, int size, std::int64_t from, std::int64_t to) {
+RectangleTexture::Axis RectangleTexture::axis(int center, float c0, float c1, int size, std::int64_t x0,
+                                              std::int64_t x1) {
     const auto to_integer = [](double value) {
         return static_cast<std::int64_t>(std::nearbyint(std::clamp(value, -0x1p62, 0x1p62)));
     };
     const double w0 = double{c0} * size, w1 = double{c1} * size;
-    const double dw = (w1 - w0) * 0x1p36 / static_cast<double>(to - from);
-    return {.origin = to_integer(w0 * 0x1p32 + static_cast<double>(8 - from) / 16.0 * dw), .step = to_integer(dw)};
+    const double dw = (w1 - w0) * 0x1p36 / static_cast<double>(x1 - x0);
+    return {.origin = to_integer(w0 * 0x1p32 + static_cast<double>(center - x0) / 16.0 * dw), .step = to_integer(dw)};
 }
 
 std::uint64_t RectangleTexture::Axis::plane(int pixel) const {
@@ -180,7 +232,7 @@ std::uint32_t sample(const Sampler& sampler, const TexturePoint& point) {
             const std::uint32_t b = sample_level(sampler, std::min(level + 1, level_count(sampler) - 1), u, v);
             std::uint32_t color   = 0;
             for (int shift = 0; shift < 32; shift += 8)
-                color |= ((channel(a, shift) * (256 - f) + channel(b, shift) * f + 128) >> 8) << shift;
+                color |= mixed(sampler.rule, channel(a, shift), channel(b, shift), f) << shift;
             return color;
         }
     }

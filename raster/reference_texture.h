@@ -34,7 +34,7 @@ class TriangleTexture {
 // Texture coordinates of a rectangle. The sampler has levels, and the rectangle covers a pixel.
 class RectangleTexture {
   public:
-    RectangleTexture(const Rectangle& rectangle, int texture, const Sampler& sampler);
+    RectangleTexture(const PixelGrid& grid, const Rectangle& rectangle, int texture, const Sampler& sampler);
     TexturePoint at(int x, int y) const;
 
   private:
@@ -42,7 +42,8 @@ class RectangleTexture {
         std::int64_t origin = 0, step = 0;
         std::uint64_t plane(int pixel) const;
     };
-    static Axis axis(float c0, float c1, int size, std::int64_t from, std::int64_t to);
+    // c0, c1: the coordinate at the snapped edges x0 and x1, which spans `size` texels from 0 to 1.
+    static Axis axis(int center, float c0, float c1, int size, std::int64_t x0, std::int64_t x1);
 
     Axis u_, v_;
     std::int32_t lod_ = 0;  // the same everywhere

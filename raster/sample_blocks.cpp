@@ -13,25 +13,17 @@ HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
 
-// Two levels, by f of 256.
-HWY_INLINE VU mix_levels(VU a, VU b, VU f) {
-    const VU f2 = hn::Or(f, hn::ShiftLeft<16>(f)), one_minus_f = sub16(set_pair(256), f2), half = set_pair(128);
-    const Pixels sum = weigh_row(a, b, f2, one_minus_f);
-    const VU lo = add16(sum.lo, half), hi = add16(sum.hi, half);
-    return hn::Or(shift_right16<8>(lo), hn::And(hi, set_pair(0xff00)));
-}
-
-template <bool kLinear>
+template <class Filter>
 void sample(const SamplePlan& plan, const SamplePoints& points, int count, BlockRows<std::uint32_t>& out) {
     for (int i = 0; i < count * kBlockWidth; i += lane_count()) {
         const VI u = hn::Load(DI(), points.u.lanes + i), v = hn::Load(DI(), points.v.lanes + i);
-        hn::Store(sample_level<kLinear>(plan, 0, u, v), DU(), out.lanes + i);
+        hn::Store(sample_level<Filter>(plan, 0, u, v), DU(), out.lanes + i);
     }
 }
 
 // One round for each level that a lane reads, mostly a single one. The first is that of the first lane, straight from
 // memory, for no texel can be read before the level is known.
-template <bool kLinear, bool kMixLevels>
+template <class Filter, bool kMixLevels>
 void sample_mips(const SamplePlan& plan, const SamplePoints& points, int count, BlockRows<std::uint32_t>& out) {
     constexpr int kHalf = kMixLevels ? 0 : 128;
     const int last      = plan.level_count - 1;
@@ -45,11 +37,11 @@ void sample_mips(const SamplePlan& plan, const SamplePoints& points, int count, 
         for (std::ptrdiff_t lane = 0;; lane = hn::FindFirstTrue(DI(), rest)) {
             const int index = (points.lod.lanes[i + lane] + kHalf) >> 8;
             const auto here = hn::Eq(level, seti(index));
-            VU sampled      = sample_level<kLinear>(plan, index, u, v);
+            VU sampled      = sample_level<Filter>(plan, index, u, v);
             // The next level has no weight where the texture is magnified, nor after the last.
             if (kMixLevels && index < last && !hn::AllFalse(DI(), hn::And(here, hn::Gt(fraction, seti(0))))) {
-                const VU next = sample_level<kLinear>(plan, index + 1, u, v);
-                sampled       = mix_levels(sampled, next, hn::BitCast(DU(), fraction));
+                const VU next = sample_level<Filter>(plan, index + 1, u, v);
+                sampled       = Filter::mix_levels(sampled, next, fraction);
             }
             texel = select(hn::BitCast(DU(), hn::VecFromMask(DI(), here)), sampled, texel);
             rest  = hn::AndNot(here, rest);
@@ -99,9 +91,11 @@ PackKernel get_pack_kernel() {
 
 SampleKernel get_sample_kernel(const SamplePlan& plan) {
     if (plan.level_count == 0) return &sample_white;
-    if (plan.lod_max() == 0) return plan.linear ? &sample<true> : &sample<false>;
-    if (plan.mip == MipFilter::Linear) return plan.linear ? &sample_mips<true, true> : &sample_mips<false, true>;
-    return plan.linear ? &sample_mips<true, false> : &sample_mips<false, false>;
+    return for_filter(plan, [&plan](auto filter) -> SampleKernel {
+        using Filter = decltype(filter);
+        if (plan.lod_max() == 0) return &sample<Filter>;
+        return plan.mip == MipFilter::Linear ? &sample_mips<Filter, true> : &sample_mips<Filter, false>;
+    });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -125,6 +119,7 @@ SamplePlan plan_sampler(const Sampler& sampler) {
     SamplePlan plan;
     plan.level_count = static_cast<int>(sampler.levels.size());
     plan.linear      = sampler.linear;
+    plan.rule        = sampler.rule;
     plan.mip         = sampler.mip;
     plan.address_u   = sampler.address_u;
     plan.address_v   = sampler.address_v;

@@ -22,6 +22,7 @@ struct SamplePlan {
     std::array<Level, kMaxLevels> levels;
     int level_count   = 0;
     bool linear       = false;
+    FilterRule rule   = FilterRule::Single8;
     MipFilter mip     = MipFilter::None;
     Address address_u = Address::Wrap;
     Address address_v = Address::Wrap;

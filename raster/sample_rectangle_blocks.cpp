@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sampling for rectangles: along a block v is constant and u advances evenly, so texels come from contiguous loads instead of
 // one by one, and a blit's weights are often quarters or halves, which need no more than 16 bits.
+#include <type_traits>
+
 #include "raster/sample_blocks.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -107,6 +109,7 @@ HWY_INLINE VU weigh_quarters(const Quad& quad, VI u, VI v) {
     return pack({weigh(top.lo, bottom.lo), weigh(top.hi, bottom.hi)});
 }
 
+template <class Filter>
 void sample_rectangle_linear(const SamplePlan& plan, const SamplePoints& points, int count,
                              BlockRows<std::uint32_t>& out) {
     for (int block = 0; block < count; ++block)
@@ -118,16 +121,18 @@ void sample_rectangle_linear(const SamplePlan& plan, const SamplePoints& points,
             Quad quad;
             VU texel;
             if (!load_quad(plan, at, v_there, advance, quad)) {
-                texel = sample_level<true>(plan, 0, u, v);
+                texel = sample_level<Filter>(plan, 0, u, v);
             } else {
                 const VI moved_u = hn::Sub(u, seti(128)), moved_v = hn::Sub(v, seti(128));
                 const int bits = at[0] | v_there | advance.step;
-                if (advance.is_even && (bits & 255) == 0)
+                if (!std::is_same_v<Filter, Single8>)
+                    texel = Filter::weigh(quad, moved_u, moved_v);
+                else if (advance.is_even && (bits & 255) == 0)
                     texel = average(quad);  // both fractions are one half
                 else if (advance.is_even && (bits & 63) == 0)
                     texel = weigh_quarters(quad, moved_u, moved_v);
                 else
-                    texel = weigh(quad, moved_u, moved_v);
+                    texel = Single8::weigh(quad, moved_u, moved_v);
             }
             hn::Store(texel, DU(), out[block] + lane);
         }
@@ -143,15 +148,20 @@ void sample_rectangle_point(const SamplePlan& plan, const SamplePoints& points, 
             const Advance advance = advance_of(at);
             const bool contiguous = advance.is_even && advance.step == 256 && i >= 0 &&
                                     i + lane_count() <= level.width && j >= 0 && j < level.height;
-            const VU texel =
-                contiguous ? hn::LoadU(DU(), level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + i)
-                           : sample_level<false>(plan, 0, hn::Load(DI(), at), hn::Load(DI(), points.v[block] + lane));
+            const VU texel = contiguous
+                                 ? hn::LoadU(DU(), level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + i)
+                                 : sample_level<Point<MixHalfUp>>(plan, 0, hn::Load(DI(), at),
+                                                                  hn::Load(DI(), points.v[block] + lane));
             hn::Store(texel, DU(), out[block] + lane);
         }
 }
 
 SampleKernel get_rectangle_kernel(const SamplePlan& plan) {
-    return plan.linear ? &sample_rectangle_linear : &sample_rectangle_point;
+    return for_filter(plan, [](auto filter) -> SampleKernel {
+        using Filter = decltype(filter);
+        if constexpr (Filter::kLinear) return &sample_rectangle_linear<Filter>;
+        return &sample_rectangle_point;
+    });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -12,7 +12,7 @@
 // in 1/256 texel of level 0.
 // Coordinates of a rectangle. In double, with Xi, Yi the snapped corners and w = float u -> double u * W:
 //   du = (w1 - w0) * 2^36 / (X1 - X0)                 step = du, kept within -2^62 .. 2^62, to nearest, ties to even
-//   origin = w0 * 2^32 + (8 - X0) / 16 * du           kept and rounded likewise
+//   origin = w0 * 2^32 + (C - X0) / 16 * du           kept and rounded likewise
 //   plane(x) = origin + x * step (modulo 2^64)
 //   U = value >> 8 (arithmetic), value being r(plane(xb), 16) + (x - xb) * r(step, 16) modulo 2^32 (r: primitives.h)
 // and V from v, H, y in the same way, with plane(y) itself in place of the block: V = r(plane(y), 16) >> 8, the shift
@@ -26,13 +26,19 @@
 //   lod  = (bits(rho2) - bits(1.0f)) >> 16 (arithmetic), at least 0, at most 256 * (levels - 1)
 // bits() being the float's bit pattern as an integer: a logarithm that is linear between powers of two.
 // Mip Point reads level (lod + 128) >> 8. Mip Linear reads a = level lod >> 8 and b = the next (or the last again) and
-// gives each channel (a * (256 - f) + b * f + 128) >> 8 with f = lod & 255. Mip None reads level 0.
+// mixes each channel with f = lod & 255. Mip None reads level 0.
 //
 // Within level L, with (u, v) = (U >> L, V >> L), arithmetic:
 //   Point   the texel (u >> 8, v >> 8).
-//   Linear  u -= 128, v -= 128; i = u >> 8, fu = u & 255, likewise j, fv. Of the texels at i, i+1 and j, j+1, each channel is
-//             (((256-fv) * ((256-fu) * t00 + fu * t10) + fv * ((256-fu) * t01 + fu * t11)) + 2^15) >> 16
-//           which is exact and rounded once.
+//   Linear  u -= 128, v -= 128; i = u >> 8, fu = u & 255, likewise j, fv. Of the texels at i, i+1 and j, j+1, each
+//           channel is weighed by `rule`:
+//     Single8   (((256-fv) * ((256-fu) * t00 + fu * t10) + fv * ((256-fu) * t01 + fu * t11)) + 2^15) >> 16
+//     Single4   with fu, fv >> 4 for fu, fv: (((16-fv) * ((16-fu) * t00 + fu * t10) + fv * (...)) + 2^7) >> 8
+//     Single7   with fu, fv >> 1: ((128-fv) * ((128-fu) * t00 + fu * t10) + fv * (...)) >> 14
+//     Cascade8  along u, then along v: a, b, f -> ((256-f) * a + f * b + 128) >> 8
+//     Cascade4  along u, then along v, with fu, fv >> 4: a, b, f -> ((16-f) * a + f * b) >> 4
+// Levels a, b are mixed to (a * (256 - f) + b * f + 128) >> 8 by Single8 and Cascade8, and by the others, with f >> 4, to
+// (a * (16 - f) + b * f) >> 4.
 // Texel indices outside a level of size n (per axis): Wrap i & (n-1); Mirror m = i & (2n-1), then m if m < n, else 2n-1-m;
 // Clamp to 0..n-1. Wrap and Mirror need n to be a power of two.
 #pragma once
@@ -45,6 +51,7 @@ namespace raster {
 
 enum class Address : std::uint8_t { Wrap, Clamp, Mirror };
 enum class MipFilter : std::uint8_t { None, Point, Linear };
+enum class FilterRule : std::uint8_t { Single8, Single4, Single7, Cascade8, Cascade4 };
 
 // Texels are 0xAARRGGBB. `stride` in texels. The memory outlives the fill.
 struct TextureLevel {
@@ -57,6 +64,7 @@ struct TextureLevel {
 struct Sampler {
     std::vector<TextureLevel> levels;
     bool linear       = false;
+    FilterRule rule   = FilterRule::Single8;
     MipFilter mip     = MipFilter::None;
     Address address_u = Address::Wrap;
     Address address_v = Address::Wrap;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pixel grid. Window space is in pixels, x right, y down; pixel (0, 0) covers [0, 1) x [0, 1) and is sampled at its
-// centre (0.5, 0.5). Rectangles are half-open. A *block* is 16 x 1 pixels starting at a multiple of 16: one cache line
+// The pixel grid. Window space is in pixels, x right, y down; pixel (0, 0) covers [0, 1) x [0, 1); where
+// in it a primitive is sampled is a pass's choice (PixelGrid in raster/primitives.h). Rectangles are half-open. A *block* is 16 x 1 pixels starting at a multiple of 16: one cache line
 // of four-byte pixels, and the grid on which every interpolated value is defined, so that neither the width of a
 // vector, the tile nor the thread can change a bit. A *tile* is what one thread fills while it stays in the L1 cache.
 #pragma once

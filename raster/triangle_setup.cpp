@@ -7,26 +7,30 @@
 namespace raster {
 namespace {
 
-// The pixels whose centres lie in [low, high] subpixels, as a half-open range.
-int first_pixel(std::int64_t low) {
-    return static_cast<int>((low - kSubpixels / 2 + kSubpixels - 1) >> kSubpixelBits);
+// The pixels that are sampled in [low, high] subpixels, as a half-open range.
+int first_pixel(const PixelGrid& grid, std::int64_t low) {
+    return static_cast<int>((low - grid.center + kSubpixels - 1) >> kSubpixelBits);
 }
-int end_pixel(std::int64_t high) {
-    return static_cast<int>((high - kSubpixels / 2) >> kSubpixelBits) + 1;
+int end_pixel(const PixelGrid& grid, std::int64_t high) {
+    return static_cast<int>((high - grid.center) >> kSubpixelBits) + 1;
+}
+Rect pixels_between(const PixelGrid& grid, std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
+    return {first_pixel(grid, x0), first_pixel(grid, y0), end_pixel(grid, x1), end_pixel(grid, y1)};
 }
 
-Edge make_edge(const Subpixel& from, const Subpixel& to) {
+Edge make_edge(const PixelGrid& grid, const Subpixel& from, const Subpixel& to) {
     const std::int64_t ex = to.x - from.x, ey = to.y - from.y;
     const bool top_left          = ey < 0 || (ey == 0 && ex > 0);
-    const std::int64_t at_origin = ex * (kSubpixels / 2 - from.y) - ey * (kSubpixels / 2 - from.x);
+    const std::int64_t at_origin = ex * (grid.center - from.y) - ey * (grid.center - from.x);
     return {.a = -ey, .b = ex, .c = (at_origin - (top_left ? 0 : 1)) >> kSubpixelBits};
 }
 
 // Gradients of one triangle's values. The corners are clockwise, the area positive.
 class PlaneMaker {
   public:
-    explicit PlaneMaker(const std::array<Subpixel, 3>& corners, std::int64_t area)
-        : x0_(corners[0].x),
+    PlaneMaker(const PixelGrid& grid, const std::array<Subpixel, 3>& corners, std::int64_t area)
+        : center_(grid.center),
+          x0_(corners[0].x),
           y0_(corners[0].y),
           x1_(corners[1].x - x0_),
           y1_(corners[1].y - y0_),
@@ -40,14 +44,14 @@ class PlaneMaker {
         const auto gx = static_cast<std::uint64_t>((d1 * y2_ - d2 * y1_) * (std::int64_t{1} << kFraction) / area_);
         const auto gy = static_cast<std::uint64_t>((d2 * x1_ - d1 * x2_) * (std::int64_t{1} << kFraction) / area_);
         const std::uint64_t at_corner = static_cast<std::uint64_t>(v0) << kFraction;
-        return {.origin = at_corner + gx * static_cast<std::uint64_t>(kSubpixels / 2 - x0_) +
-                          gy * static_cast<std::uint64_t>(kSubpixels / 2 - y0_),
+        return {.origin = at_corner + gx * static_cast<std::uint64_t>(center_ - x0_) +
+                          gy * static_cast<std::uint64_t>(center_ - y0_),
                 .dx = gx << kSubpixelBits,
                 .dy = gy << kSubpixelBits};
     }
 
   private:
-    std::int64_t x0_, y0_, x1_, y1_, x2_, y2_, area_;
+    std::int64_t center_, x0_, y0_, x1_, y1_, x2_, y2_, area_;
 };
 
 std::array<Plane, 4> color_planes(const PlaneMaker& maker, std::uint32_t c0, std::uint32_t c1, std::uint32_t c2) {
@@ -104,10 +108,11 @@ TexturePlanes texture_planes(const PlaneMaker& maker, const std::array<const Ver
 
 }  // namespace
 
-bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Rect& scissor, SetUpTriangle& out) {
+bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const PixelGrid& grid, const Rect& scissor,
+                     SetUpTriangle& out) {
     std::array<const Vertex*, 3> v{&triangle[0], &triangle[1], &triangle[2]};
     std::array<Subpixel, 3> p;
-    for (int i = 0; i < 3; ++i) p[i] = snap_to_subpixels(v[i]->x, v[i]->y);
+    for (int i = 0; i < 3; ++i) p[i] = snap_to_subpixels(grid, v[i]->x, v[i]->y);
 
     std::int64_t area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
     if (area == 0) return false;
@@ -118,12 +123,12 @@ bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Re
     }
     const auto [x_min, x_max] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [y_min, y_max] = std::minmax({p[0].y, p[1].y, p[2].y});
-    out.bounds = intersect({first_pixel(x_min), first_pixel(y_min), end_pixel(x_max), end_pixel(y_max)}, scissor);
+    out.bounds                = intersect(pixels_between(grid, x_min, y_min, x_max, y_max), scissor);
     if (out.bounds.empty()) return false;
 
-    for (int i = 0; i < 3; ++i) out.edges[i] = make_edge(p[i], p[(i + 1) % 3]);
+    for (int i = 0; i < 3; ++i) out.edges[i] = make_edge(grid, p[i], p[(i + 1) % 3]);
 
-    const PlaneMaker maker(p, area);
+    const PlaneMaker maker(grid, p, area);
     if (needs.depth) {
         const std::int64_t z0 = depth_value(v[0]->z), z1 = depth_value(v[1]->z), z2 = depth_value(v[2]->z);
         out.depth     = maker.make<kDepthFraction>(z0, z1, z2);
@@ -145,16 +150,17 @@ bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Re
     return true;
 }
 
-bool set_up_rectangle(const Rectangle& rectangle, const SetupNeeds& needs, const Rect& scissor, SetUpRectangle& out) {
-    const auto [x0, y0] = snap_to_subpixels(rectangle.x0, rectangle.y0);
-    const auto [x1, y1] = snap_to_subpixels(rectangle.x1, rectangle.y1);
-    // The end is open: a centre exactly on it is outside.
-    out.bounds          = intersect({first_pixel(x0), first_pixel(y0), end_pixel(x1 - 1), end_pixel(y1 - 1)}, scissor);
+bool set_up_rectangle(const Rectangle& rectangle, const SetupNeeds& needs, const PixelGrid& grid, const Rect& scissor,
+                      SetUpRectangle& out) {
+    const auto [x0, y0] = snap_to_subpixels(grid, rectangle.x0, rectangle.y0);
+    const auto [x1, y1] = snap_to_subpixels(grid, rectangle.x1, rectangle.y1);
+    // The end is open: a pixel sampled exactly on it is outside.
+    out.bounds          = intersect(pixels_between(grid, x0, y0, x1 - 1, y1 - 1), scissor);
     if (out.bounds.empty()) return false;
     out.depth = depth_value(rectangle.z);
     out.color = rectangle.color;
 
-    const auto axis = [](float from, float to, int size, std::int64_t begin, std::int64_t end) {
+    const auto axis = [&grid](float from, float to, int size, std::int64_t begin, std::int64_t end) {
         static constexpr double kTexel = 4294967296.0;           // 2^32
         static constexpr double kLimit = 4611686018427387904.0;  // 2^62
         const auto integer             = [](double value) {
@@ -163,7 +169,7 @@ bool set_up_rectangle(const Rectangle& rectangle, const SetupNeeds& needs, const
         };
         const double w0 = static_cast<double>(from) * size, w1 = static_cast<double>(to) * size;
         const double step   = (w1 - w0) * (kTexel * kSubpixels) / static_cast<double>(end - begin);
-        const double origin = w0 * kTexel + static_cast<double>(kSubpixels / 2 - begin) / kSubpixels * step;
+        const double origin = w0 * kTexel + static_cast<double>(grid.center - begin) / kSubpixels * step;
         return AxisPlane{integer(origin), integer(step)};
     };
     for (int i = 0; i < kMaxTextures; ++i) {

@@ -11,7 +11,7 @@
 
 namespace raster {
 
-// value at the centre of pixel (x, y): origin + dx * x + dy * y, modulo 2^64.
+// value at the sample point of pixel (x, y): origin + dx * x + dy * y, modulo 2^64.
 struct Plane {
     std::uint64_t origin = 0, dx = 0, dy = 0;
     std::uint64_t at(int x, int y) const {
@@ -51,7 +51,8 @@ struct SetupNeeds {
 };
 
 // False if nothing can be covered within `scissor`.
-bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Rect& scissor, SetUpTriangle& out);
+bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const PixelGrid& grid, const Rect& scissor,
+                     SetUpTriangle& out);
 
 // A rectangle's texture coordinates: planes in one variable, 2^32 to the texel.
 struct AxisPlane {
@@ -70,7 +71,8 @@ struct SetUpRectangle {
     std::array<Texture, kMaxTextures> textures;
 };
 
-bool set_up_rectangle(const Rectangle& rectangle, const SetupNeeds& needs, const Rect& scissor, SetUpRectangle& out);
+bool set_up_rectangle(const Rectangle& rectangle, const SetupNeeds& needs, const PixelGrid& grid, const Rect& scissor,
+                      SetUpRectangle& out);
 
 // floor((p + 2^(S-1)) / 2^S) of a plane, modulo 2^32: the r of the rules.
 template <int S>

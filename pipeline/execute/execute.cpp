@@ -68,12 +68,16 @@ class FrameExecution {
         const PixelRect scissor  = resolve(pass.state.scissor, pass);
         raster::PassFill fill{.color      = memory_.image(pass.color),
                               .depth      = memory_.image(pass.depth),
-                              .depth_bits = pass.depth ? depth_bits(frame_.targets[pass.depth.index].format) : 24,
+                              .depth_bits = pass.depth ? depth_bits(format(pass.depth)) : 24,
+                              .format     = pass.color ? color_format(format(pass.color)) : raster::ColorFormat{},
+                              .grid       = pixel_grid(frame_.arithmetic),
                               .scissor    = raster::intersect({viewport.x0, viewport.y0, viewport.x1, viewport.y1},
                                                               {scissor.x0, scissor.y0, scissor.x1, scissor.y1}),
                               .draws      = {}};
         PassCounts counts;
         clear(pass, fill, counts);
+        for (const Draw& draw : pass.draws)
+            if (const auto* rectangle = std::get_if<CopyRectangle>(&draw)) copy(pass, *rectangle, counts);
         add_draws(pass, viewport, fill, counts);
         const raster::FillCounts filled =
             options_.backend == Backend::Reference
@@ -100,39 +104,67 @@ class FrameExecution {
         return {0, 0, target.width, target.height};
     }
 
+    TargetFormat format(TargetId id) const { return frame_.targets[id.index].format; }
+    std::uint64_t pixel_bytes(TargetId id) const {
+        return id ? static_cast<std::uint64_t>(bytes_per_pixel(format(id))) : 0;
+    }
+
     void clear(const Pass& pass, const raster::PassFill& fill, PassCounts& counts) {
-        const auto set = [&](raster::Image& image, std::uint32_t value, std::uint64_t pixel_bytes) {
+        const auto set = [&](raster::Image& image, std::uint32_t value, TargetId target) {
             raster::fill_rect(image, fill.scissor, value);
             if (fill.scissor.empty()) return;
             const std::uint64_t pixels = static_cast<std::uint64_t>(fill.scissor.x1 - fill.scissor.x0) *
                                          static_cast<std::uint64_t>(fill.scissor.y1 - fill.scissor.y0);
             counts.cleared += pixels;
-            counts.bytes += pixels * pixel_bytes;
+            counts.bytes += pixels * pixel_bytes(target);
         };
-        if (pass.clear.color) set(*fill.color, pass.clear.color->value, 4);
+        if (pass.clear.color)
+            set(*fill.color, raster::stored(raster::store_masks(fill.format), pass.clear.color->value), pass.color);
         if (pass.clear.depth)
             set(*fill.depth, raster::to_depth_format(raster::depth_value(*pass.clear.depth), fill.depth_bits),
-                depth_bytes(pass));
+                pass.depth);
     }
 
-    std::uint64_t depth_bytes(const Pass& pass) const {
-        return pass.depth && frame_.targets[pass.depth.index].format == TargetFormat::D16 ? 2 : 4;
+    void copy(const Pass& pass, const CopyRectangle& rectangle, PassCounts& counts) {
+        const PixelRect& from = rectangle.from;
+        const raster::CopyFill fill{.source        = memory_.image(rectangle.source),
+                                    .source_format = color_format(format(rectangle.source)),
+                                    .from          = {from.x0, from.y0, from.x1, from.y1},
+                                    .target        = memory_.image(pass.color),
+                                    .target_format = color_format(format(pass.color)),
+                                    .x             = rectangle.x,
+                                    .y             = rectangle.y,
+                                    .halve         = rectangle.halve};
+        if (options_.backend == Backend::Reference)
+            raster::reference_copy_pixels(fill);
+        else
+            arena_.run([&] { raster::copy_pixels(fill); });
+        const std::uint64_t read =
+            static_cast<std::uint64_t>(from.x1 - from.x0) * static_cast<std::uint64_t>(from.y1 - from.y0);
+        const std::uint64_t written = read / (rectangle.halve ? 4 : 1);
+        ++counts.copies;
+        counts.texels += read;
+        counts.color_written += written;
+        counts.bytes += read * pixel_bytes(rectangle.source) + written * pixel_bytes(pass.color);
     }
 
     // Each vertex job becomes a draw of its own; the order stays that of the pass.
     void add_draws(const Pass& pass, const PixelRect& viewport, raster::PassFill& fill, PassCounts& counts) {
         std::vector<VertexJob> jobs;
+        const auto state = [&](const TextureBindings& textures) {
+            return lower(frame_.arithmetic, pass.state, pass.color ? std::optional(format(pass.color)) : std::nullopt,
+                         textures, memory_);
+        };
         for (const Draw& draw : pass.draws) {
             if (const auto* triangles = std::get_if<DrawTriangles>(&draw)) {
                 for (std::uint32_t done = 0; done < triangles->index_count; done += kJobIndices) {
                     jobs.push_back({triangles, triangles->first_index + done,
                                     std::min(kJobIndices, triangles->index_count - done)});
-                    fill.draws.push_back({lower(pass.state, triangles->textures, memory_), {}, {}});
+                    fill.draws.push_back({state(triangles->textures), {}, {}});
                 }
-            } else {
-                const auto& rectangle = std::get<DrawRectangle>(draw);
+            } else if (const auto* rectangle = std::get_if<DrawRectangle>(&draw)) {
                 jobs.push_back({nullptr, 0, 0});
-                fill.draws.push_back({lower(pass.state, rectangle.textures, memory_), {}, {lower(rectangle)}});
+                fill.draws.push_back({state(rectangle->textures), {}, {lower(*rectangle)}});
                 ++counts.rectangles;
             }
         }
@@ -155,19 +187,17 @@ class FrameExecution {
     // What follows from the fragments and the state.
     void count(const Pass& pass, const raster::FillCounts& filled, PassCounts& counts) const {
         const PipelineState& state = pass.state;
-        const ColorMask& mask      = state.color_mask;
-        const bool writes_color    = pass.color && (mask.red || mask.green || mask.blue || mask.alpha);
-        const bool masked          = !(mask.red && mask.green && mask.blue && mask.alpha);
-        const bool blends          = writes_color && reads_destination(state.blend);
+        const bool masked          = state.color_mask != ColorMask{};
+        const bool blends          = reads_destination(frame_.arithmetic, state);
         counts.covered             = filled.covered;
-        counts.texels              = filled.texels;
-        counts.depth_tested        = state.depth.func != CompareFunc::Always ? filled.alpha_passed : 0;
-        counts.depth_passed        = filled.depth_passed;
-        counts.depth_written       = state.depth.write ? filled.depth_passed : 0;
-        counts.color_written       = writes_color ? filled.depth_passed : 0;
-        counts.blended             = blends ? filled.depth_passed : 0;
-        counts.bytes += filled.texel_bytes + depth_bytes(pass) * (counts.depth_tested + counts.depth_written) +
-                        4 * counts.color_written * (blends || masked ? 2 : 1);
+        counts.texels += filled.texels;
+        counts.depth_tested  = state.depth.func != CompareFunc::Always ? filled.alpha_passed : 0;
+        counts.depth_passed  = filled.depth_passed;
+        counts.depth_written = filled.depth_written;
+        counts.color_written += filled.color_written;
+        counts.blended = blends ? filled.color_written : 0;
+        counts.bytes += filled.texel_bytes + pixel_bytes(pass.depth) * (counts.depth_tested + counts.depth_written) +
+                        pixel_bytes(pass.color) * filled.color_written * (blends || masked ? 2 : 1);
     }
 
     const Frame& frame_;

@@ -7,6 +7,9 @@
 #include <cstring>
 #include <set>
 
+#include "pipeline/execute/lower.h"
+#include "raster/fill_pass.h"
+
 namespace pipeline {
 namespace {
 
@@ -27,11 +30,15 @@ void expand(const Texture& texture, std::vector<std::uint32_t>& out) {
     }
 }
 
+std::uint32_t stored_zero(TargetFormat format) {
+    return raster::stored(raster::store_masks(color_format(format)), 0);
+}
+
 std::vector<std::int32_t> bound_textures(const Frame& frame) {
     std::set<std::int32_t> bound;
     for (const Pass& pass : frame.passes)
         for (const Draw& draw : pass.draws)
-            for (const TextureBinding& binding : std::visit([](const auto& d) { return d.textures; }, draw))
+            for (const TextureBinding& binding : textures_of(draw))
                 if (binding.texture) bound.insert(binding.texture.index);
     return {bound.begin(), bound.end()};
 }
@@ -47,6 +54,8 @@ void FrameMemory::prepare(const Frame& frame) {
             images_[i].clear();
         else
             images_[i] = raster::Image(target.width, target.height);
+        const std::uint32_t zero = is_depth(target.format) ? 0 : stored_zero(target.format);
+        if (zero != 0) raster::fill_rect(images_[i], images_[i].bounds(), zero);
     });
     texels_.resize(frame.textures.size());
     const std::vector<std::int32_t> bound = bound_textures(frame);

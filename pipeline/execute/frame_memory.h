@@ -13,7 +13,7 @@ namespace pipeline {
 
 class FrameMemory {
   public:
-    // Targets become all zeros. The frame must outlive its drawing. Uses the threads of the arena it is called in.
+    // Targets become what they are if zeros are written. The frame must outlive its drawing. Uses the threads of the arena it is called in.
     void prepare(const Frame& frame);
 
     raster::Image* image(TargetId id) { return id ? &images_[id.index] : nullptr; }

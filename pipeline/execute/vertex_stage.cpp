@@ -8,6 +8,7 @@
 #include "pipeline/execute/clip.h"
 #include "pipeline/execute/fog.h"
 #include "pipeline/execute/lighting.h"
+#include "pipeline/execute/lower.h"
 #include "pipeline/execute/vector_math.h"
 #include "pipeline/execute/vertex_list.h"
 
@@ -34,11 +35,12 @@ bool has_coords_in_range(const raster::Vertex& vertex) {
                        [&](const raster::TexCoord& uv) { return in_range(uv.s) && in_range(uv.t) && in_range(uv.q); });
 }
 
-// The viewport transform, and the guard band as bounds of its result.
+// The viewport transform, snapping, and the guard band as bounds of its result.
 class Window {
   public:
-    explicit Window(const PixelRect& viewport)
-        : x_(static_cast<float>(viewport.x0)),
+    Window(const PixelRect& viewport, const raster::PixelGrid& grid)
+        : grid_(grid),
+          x_(static_cast<float>(viewport.x0)),
           y_(static_cast<float>(viewport.y0)),
           width_(static_cast<float>(viewport.x1 - viewport.x0)),
           height_(static_cast<float>(viewport.y1 - viewport.y0)) {}
@@ -56,13 +58,14 @@ class Window {
         vertex.rhw    = 1.0f / clip.w;
     }
 
+    raster::Subpixel snap(const raster::Vertex& vertex) const {
+        return raster::snap_to_subpixels(grid_, vertex.x, vertex.y);
+    }
+
   private:
+    raster::PixelGrid grid_;
     float x_, y_, width_, height_;
 };
-
-raster::Subpixel snap(const raster::Vertex& vertex) {
-    return raster::snap_to_subpixels(vertex.x, vertex.y);
-}
 
 bool is_culled(CullMode mode, const raster::Subpixel& a, const raster::Subpixel& b, const raster::Subpixel& c) {
     const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
@@ -148,7 +151,7 @@ class TriangleStage {
           cull_(pass.state.cull),
           is_flat_(pass.state.shade == ShadeMode::Flat),
           shader_(pass, frame.cameras[pass.camera.index], draw.world),
-          window_(viewport),
+          window_(viewport, pixel_grid(frame.arithmetic)),
           guard_band_(window_.guard_band()),
           list_(list_vertices(indices)),
           out_(out) {}
@@ -176,7 +179,7 @@ class TriangleStage {
             vertex.outside_guard = outcode(guard_band_, vertex.clip);
             if (vertex.outside_guard) continue;
             window_.place(vertex.clip, vertex.window);
-            vertex.snapped = snap(vertex.window);
+            vertex.snapped = window_.snap(vertex.window);
         }
     }
 
@@ -226,7 +229,7 @@ class TriangleStage {
         if (!std::all_of(corner.begin(), corner.begin() + polygon.count, has_coords_in_range)) return;
 
         for (int i = 2; i < polygon.count; ++i)
-            if (!is_culled(cull_, snap(corner[0]), snap(corner[i - 1]), snap(corner[i])))
+            if (!is_culled(cull_, window_.snap(corner[0]), window_.snap(corner[i - 1]), window_.snap(corner[i])))
                 out_.push_back({corner[0], corner[i - 1], corner[i]});
     }
 

@@ -64,6 +64,8 @@ template <>
 inline constexpr std::string_view kAlternativeName<DrawTriangles> = "triangles";
 template <>
 inline constexpr std::string_view kAlternativeName<DrawRectangle> = "rectangle";
+template <>
+inline constexpr std::string_view kAlternativeName<CopyRectangle> = "copy";
 
 // Field number `index` of `value`, which is known to be a `Field`.
 template <class Field, FieldStruct Struct>

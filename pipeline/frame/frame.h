@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "pipeline/frame/arithmetic.h"
 #include "pipeline/frame/pipeline_state.h"
 
 namespace pipeline {
@@ -25,17 +26,48 @@ using TargetId  = Id<struct Target>;
 using TextureId = Id<struct Texture>;
 using CameraId  = Id<struct Camera>;
 
+// Colour formats keep the top bits of each byte that is written (5, 6 or 1 of them), and give back a byte:
+//   R5G6B5, A1R5G5B5, R6G6B6A6   by repeating the bits that they kept: 6 bits v as v << 2 | v >> 4; one bit as 0 or 255
+//   PSMCT16                      with zeros below the 5 bits that it kept; one bit of alpha as 0 or 0x80
+// Formats without alpha give back 255, but PSMCT24 0x80, which is one. R6G6B6A6 is the GameCube's RGBA6_Z24 (its RGB8_Z24 is
+// X8R8G8B8), PSMCT* are the PlayStation 2's.
 // D16, D24, D32: unsigned integers of that many bits; depth 1.0 is all ones.
-enum class TargetFormat : std::uint8_t { A8R8G8B8, D16, D24, D32 };
+enum class TargetFormat : std::uint8_t {
+    A8R8G8B8,
+    X8R8G8B8,
+    R5G6B5,
+    A1R5G5B5,
+    R6G6B6A6,
+    Psmct32,
+    Psmct24,
+    Psmct16,
+    D16,
+    D24,
+    D32,
+};
 template <>
 struct EnumNames<TargetFormat> {
-    static constexpr std::array<std::string_view, 4> names{"A8R8G8B8", "D16", "D24", "D32"};
+    static constexpr std::array<std::string_view, 11> names{
+        "A8R8G8B8", "X8R8G8B8", "R5G6B5", "A1R5G5B5", "R6G6B6A6", "PSMCT32", "PSMCT24", "PSMCT16", "D16", "D24", "D32"};
 };
 constexpr bool is_depth(TargetFormat format) {
-    return format != TargetFormat::A8R8G8B8;
+    return format >= TargetFormat::D16;
+}
+constexpr int bytes_per_pixel(TargetFormat format) {
+    switch (format) {
+        case TargetFormat::R5G6B5:
+        case TargetFormat::A1R5G5B5:
+        case TargetFormat::Psmct16:
+        case TargetFormat::D16:
+            return 2;
+        case TargetFormat::R6G6B6A6:
+            return 3;
+        default:
+            return 4;
+    }
 }
 
-// Memory that passes draw to; a colour target can also be read as a texture by later passes. Starts as all zeros.
+// Memory that passes draw to; a colour target can also be read as a texture by later passes. Starts as if zeros had been written.
 struct Target {
     std::string name;
     TargetFormat format                  = TargetFormat::A8R8G8B8;
@@ -195,7 +227,35 @@ void visit_fields(State& state, Visit&& visit) {
     visit("textures", textures);
 }
 
-using Draw = std::variant<DrawTriangles, DrawRectangle>;
+// Copies pixels of another colour target to the pass's, `from` whole and with its top left corner to (x, y): a copy engine, to
+// which no state applies. A pass that copies does nothing else but clear. halve: each 2x2 pixels become one, channel by
+// channel, S >> 2 with S the sum of the four; from R6G6B6A6, with S the sum of the four 6-bit values, S + (S >> 6), a
+// whole byte. Only targets of 8 or 6 bits can be halved, from even corners.
+struct CopyRectangle {
+    TargetId source;
+    PixelRect from;
+    std::int32_t x = 0, y = 0;
+    bool halve                                  = false;
+    bool operator==(const CopyRectangle&) const = default;
+};
+template <SameStruct<CopyRectangle> State, class Visit>
+void visit_fields(State& state, Visit&& visit) {
+    auto& [source, from, x, y, halve] = state;
+    visit("source", source);
+    visit("from", from);
+    visit("x", x);
+    visit("y", y);
+    visit("halve", halve);
+}
+
+using Draw = std::variant<DrawTriangles, DrawRectangle, CopyRectangle>;
+
+// What a draw binds; nothing if it copies.
+inline TextureBindings textures_of(const Draw& draw) {
+    if (const auto* triangles = std::get_if<DrawTriangles>(&draw)) return triangles->textures;
+    if (const auto* rectangle = std::get_if<DrawRectangle>(&draw)) return rectangle->textures;
+    return {};
+}
 
 // Sets what lies within viewport and scissor before the draws; as in Direct3D 7 no other state applies.
 struct Clear {
@@ -235,6 +295,7 @@ void visit_fields(State& state, Visit&& visit) {
 
 struct Frame {
     TargetId output;  // the colour target that is the picture
+    Arithmetic arithmetic;
     std::vector<Target> targets;
     std::vector<Camera> cameras;
     std::vector<Pass> passes;
@@ -245,8 +306,9 @@ struct Frame {
 };
 template <SameStruct<Frame> State, class Visit>
 void visit_fields(State& state, Visit&& visit) {
-    auto& [output, targets, cameras, passes, textures, vertices, indices] = state;
+    auto& [output, arithmetic, targets, cameras, passes, textures, vertices, indices] = state;
     visit("output", output);
+    visit("arithmetic", arithmetic);
     visit("targets", targets);
     visit("cameras", cameras);
     visit("passes", passes);

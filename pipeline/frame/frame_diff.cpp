@@ -27,7 +27,7 @@ class Differ {
                 path_.resize(length);
             });
         } else if constexpr (kIsList<T> || kIsArray<T>) {
-            if constexpr (std::is_arithmetic_v<typename T::value_type>) {
+            if constexpr (kIsList<T> && std::is_arithmetic_v<typename T::value_type>) {
                 compare_numbers(before, after);
             } else {
                 compare_entries(before, after);

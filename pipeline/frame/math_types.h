@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Vectors and matrices of the frame: GLM's, in single precision. Matrices are column-major and multiply column
 // vectors (clip = projection * view * world * position); clip space is Direct3D's: -w <= x, y <= w and 0 <= z <= w.
-// Window space and rectangles: x right, y down, in pixels; pixel (0, 0) covers [0, 1) x [0, 1), its centre is (0.5,
-// 0.5).
+// Window space and rectangles: x right, y down, in pixels; pixel (0, 0) covers [0, 1) x [0, 1), and is sampled where
+// Arithmetic::pixel_center says.
 #pragma once
 
 #include <cstdint>

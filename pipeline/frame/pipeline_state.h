@@ -29,7 +29,8 @@ struct EnumNames<ShadeMode> {
 };
 
 // Vertex fog on d = |z| in camera space, or the distance from the eye if `range`:
-// f = (end - d) / (end - start), exp(-density d) or exp(-(density d)^2), clamped; colour = f * colour + (1 - f) * fog.
+// f = (end - d) / (end - start), exp(-density d) or exp(-(density d)^2), clamped; colour = f * colour + (1 - f) * fog,
+// rounded by Arithmetic::fog.
 enum class FogMode : std::uint8_t { None, Linear, Exp, Exp2 };
 template <>
 struct EnumNames<FogMode> {
@@ -72,11 +73,14 @@ void visit_fields(State& state, Visit&& visit) {
 
 struct PipelineState {
     BlendState blend;
+    GsBlend gs_blend;
+    DitherState dither;
     ColorMask color_mask;
     DepthState depth;
     AlphaTestState alpha_test;
-    CullMode cull   = CullMode::None;
-    ShadeMode shade = ShadeMode::Gouraud;
+    DestAlphaTest dest_alpha_test = DestAlphaTest::Off;
+    CullMode cull                 = CullMode::None;
+    ShadeMode shade               = ShadeMode::Gouraud;
     FogState fog;
     Argb texture_factor = {0xffffffff};
     std::array<TextureStage, kTextureStages> stages;
@@ -87,12 +91,15 @@ struct PipelineState {
 };
 template <SameStruct<PipelineState> State, class Visit>
 void visit_fields(State& state, Visit&& visit) {
-    auto& [blend, color_mask, depth, alpha_test, cull, shade, fog, texture_factor, stages, lighting, viewport,
-           scissor] = state;
+    auto& [blend, gs_blend, dither, color_mask, depth, alpha_test, dest_alpha_test, cull, shade, fog, texture_factor,
+           stages, lighting, viewport, scissor] = state;
     visit("blend", blend);
+    visit("gs_blend", gs_blend);
+    visit("dither", dither);
     visit("color_mask", color_mask);
     visit("depth", depth);
     visit("alpha_test", alpha_test);
+    visit("dest_alpha_test", dest_alpha_test);
     visit("cull", cull);
     visit("shade", shade);
     visit("fog", fog);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A texture stage in the sense of Direct3D 7 (D3DTEXTUREOP, D3DTA, D3DTSS_*): where the coordinates come from, how the
 // texture is filtered, and how the texel is combined with the colour so far (Current; Diffuse in stage 0).
-// Every stage's result is clamped to [0, 1]. In bytes, each op rounds its exact result once, half up:
-//   Modulate  round(a*b / 255)  (2X, 4X: the product times 2, 4)     Add  a + b          Subtract  a - b
-//   AddSigned a + b - 127       (a + b - 127.5, half up)             AddSigned2X  2a + 2b - 255
+// Every stage's result is clamped to [0, 1]. With a, b the arguments, each op rounds its exact result once, by
+// Arithmetic::combine:
+//   MODULATE a*b (2X, 4X: times 2, 4)   ADD a + b   ADDSIGNED a + b - 1/2   ADDSIGNED2X 2(a + b - 1/2)   SUBTRACT a - b
+//   BLENDxALPHA a*x + b*(1 - x), x the alpha of DIFFUSE, TEXTURE, TFACTOR or CURRENT
+//   MODULATECOLOR_ADDALPHA a*b + (alpha of a): with DIFFUSE and TEXTURE, the Graphics Synthesizer's HIGHLIGHT
 // The first stage whose color_op is Disable ends the chain; alpha_op must then be Disable as well.
 #pragma once
 
@@ -25,12 +27,29 @@ enum class TextureOp : std::uint8_t {
     AddSigned,
     AddSigned2X,
     Subtract,
+    BlendDiffuseAlpha,
+    BlendTextureAlpha,
+    BlendFactorAlpha,
+    BlendCurrentAlpha,
+    ModulateColorAddAlpha,
 };
 template <>
 struct EnumNames<TextureOp> {
-    static constexpr std::array<std::string_view, 10> names{"DISABLE",     "SELECTARG1", "SELECTARG2", "MODULATE",
-                                                            "MODULATE2X",  "MODULATE4X", "ADD",        "ADDSIGNED",
-                                                            "ADDSIGNED2X", "SUBTRACT"};
+    static constexpr std::array<std::string_view, 15> names{"DISABLE",
+                                                            "SELECTARG1",
+                                                            "SELECTARG2",
+                                                            "MODULATE",
+                                                            "MODULATE2X",
+                                                            "MODULATE4X",
+                                                            "ADD",
+                                                            "ADDSIGNED",
+                                                            "ADDSIGNED2X",
+                                                            "SUBTRACT",
+                                                            "BLENDDIFFUSEALPHA",
+                                                            "BLENDTEXTUREALPHA",
+                                                            "BLENDFACTORALPHA",
+                                                            "BLENDCURRENTALPHA",
+                                                            "MODULATECOLOR_ADDALPHA"};
 };
 
 // TFactor is PipelineState::texture_factor. Specular has alpha 1.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -104,6 +105,43 @@ void check_rectangle(const Frame& frame, const DrawRectangle& draw, const Place&
     }
 }
 
+bool can_be_halved(TargetFormat format) {
+    return format == TargetFormat::A8R8G8B8 || format == TargetFormat::X8R8G8B8 || format == TargetFormat::R6G6B6A6 ||
+           format == TargetFormat::Psmct32 || format == TargetFormat::Psmct24;
+}
+
+void check_copy(const Frame& frame, const Pass& pass, const CopyRectangle& copy, const Place& place,
+                Findings& findings) {
+    const Target* source = find_target(frame, copy.source);
+    const Target* target = find_target(frame, pass.color);
+    const Place at       = place.field("source");
+    if (!pass.color) report(findings, place, "must have a colour target to copy to: the pass names none");
+    if (!copy.source) report(findings, at, "must refer to a colour target");
+    if (source == nullptr || target == nullptr) return;
+    if (is_depth(source->format)) report(findings, at, "must be a colour target" + got(source->format));
+    if (copy.source == pass.color) report(findings, at, "must not be the target that the pass draws to");
+    if (copy.halve && !can_be_halved(source->format)) {
+        report(findings, place.field("halve"), "must be false for a source of this format" + got(source->format));
+    }
+    const PixelRect& from = copy.from;
+    if (from.x0 < 0 || from.y0 < 0 || from.x0 >= from.x1 || from.y0 >= from.y1 || from.x1 > source->width ||
+        from.y1 > source->height) {
+        report(findings, place.field("from"), "must be a part of the source, and not empty");
+        return;
+    }
+    if (copy.halve && ((from.x0 | from.y0 | from.x1 | from.y1) & 1) != 0) {
+        report(findings, place.field("from"), "must have even corners to be halved");
+    }
+    const int step  = copy.halve ? 2 : 1;
+    const auto fits = [](std::int32_t first, std::int32_t size, std::int32_t limit) {
+        return first >= 0 && size <= limit && first <= limit - size;
+    };
+    if (!fits(copy.x, (from.x1 - from.x0) / step, target->width) ||
+        !fits(copy.y, (from.y1 - from.y0) / step, target->height)) {
+        report(findings, place, "must lie within the target that the pass draws to");
+    }
+}
+
 }  // namespace
 
 bool is_power_of_two(std::int32_t size) {
@@ -122,6 +160,7 @@ bool reads_texture(const PipelineState& state, int index) {
     if (index >= stage_count(state)) return false;
     const auto reads = [](TextureOp op, const TextureArg& arg1, const TextureArg& arg2) {
         if (op == TextureOp::Disable) return false;
+        if (op == TextureOp::BlendTextureAlpha) return true;
         return (op != TextureOp::SelectArg2 && arg1.source == ArgSource::Texture) ||
                (op != TextureOp::SelectArg1 && arg2.source == ArgSource::Texture);
     };
@@ -131,15 +170,21 @@ bool reads_texture(const PipelineState& state, int index) {
 }
 
 void check_draws(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {
+    const auto is_copy = [](const Draw& draw) { return std::holds_alternative<CopyRectangle>(draw); };
+    const auto copies  = std::count_if(pass.draws.begin(), pass.draws.end(), is_copy);
+    if (copies != 0 && copies != std::ssize(pass.draws)) {
+        report(findings, place.field("draws"), "must be copies all, or none of them");
+    }
     for (std::size_t i = 0; i < pass.draws.size(); ++i) {
         const Place here = place.entry("draws", i);
         if (const auto* triangles = std::get_if<DrawTriangles>(&pass.draws[i])) {
             check_triangles(frame, pass, *triangles, here, findings);
             check_bindings(frame, pass, triangles->textures, here, findings);
+        } else if (const auto* rectangle = std::get_if<DrawRectangle>(&pass.draws[i])) {
+            check_rectangle(frame, *rectangle, here, findings);
+            check_bindings(frame, pass, rectangle->textures, here, findings);
         } else {
-            const auto& rectangle = std::get<DrawRectangle>(pass.draws[i]);
-            check_rectangle(frame, rectangle, here, findings);
-            check_bindings(frame, pass, rectangle.textures, here, findings);
+            check_copy(frame, pass, std::get<CopyRectangle>(pass.draws[i]), here, findings);
         }
     }
 }

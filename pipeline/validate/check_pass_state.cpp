@@ -83,6 +83,54 @@ void check_stages(const PipelineState& state, const Place& place, Findings& find
     }
 }
 
+constexpr bool has_shift7(TextureOp op) {
+    return op == TextureOp::Disable || op == TextureOp::SelectArg1 || op == TextureOp::SelectArg2 ||
+           op == TextureOp::Modulate || op == TextureOp::Add || op == TextureOp::ModulateColorAddAlpha;
+}
+
+// What the frame's arithmetic has no rule for.
+void check_arithmetic(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {
+    const PipelineState& state = pass.state;
+    const bool gs_blend        = frame.arithmetic.blend == BlendRule::GsShift7;
+    if (gs_blend && state.blend != BlendState{}) {
+        report(findings, place.field("blend"), "must be left out with arithmetic.blend GS_SHIFT7: gs_blend says it");
+    }
+    if (!gs_blend && state.gs_blend != GsBlend{}) {
+        report(findings, place.field("gs_blend"),
+               "must be left out unless arithmetic.blend is GS_SHIFT7" + got(frame.arithmetic.blend));
+    }
+    const Place dither = place.field("dither");
+    if ((state.dither.mode == DitherMode::GsDimx && !gs_blend) ||
+        (state.dither.mode == DitherMode::Flipper2x2 && gs_blend)) {
+        report(findings, dither.field("mode"),
+               "must fit arithmetic.blend " + std::string(enum_name(frame.arithmetic.blend)) + got(state.dither.mode));
+    }
+    for (std::size_t i = 0; i < state.dither.matrix.size(); ++i) {
+        const std::int32_t offset = state.dither.matrix[i];
+        if (offset < -4 || offset > 3) {
+            report(findings, dither.entry("matrix", i), "must lie within -4..3" + got(offset));
+        }
+    }
+    if (state.dest_alpha_test != DestAlphaTest::Off && !pass.color) {
+        report(findings, place.field("dest_alpha_test"),
+               "must be OFF: the pass has no colour target" + got(state.dest_alpha_test));
+    }
+    if (frame.arithmetic.combine != CombineRule::GsShift7) return;
+    for (std::size_t i = 0; i < state.stages.size(); ++i) {
+        const TextureStage& stage = state.stages[i];
+        const Place here          = place.entry("stages", i);
+        if (i > 0 && stage.color_op != TextureOp::Disable) {
+            report(findings, here.field("color_op"),
+                   "must be DISABLE: arithmetic.combine GS_SHIFT7 has one stage" + got(stage.color_op));
+        }
+        for (const auto& [name, op] : {std::pair{"color_op", stage.color_op}, std::pair{"alpha_op", stage.alpha_op}}) {
+            if (!has_shift7(op)) {
+                report(findings, here.field(name), "must be an op that arithmetic.combine GS_SHIFT7 has" + got(op));
+            }
+        }
+    }
+}
+
 void check_light(const Light& light, const Place& place, Findings& findings) {
     if (light.type != LightType::Point) return;
     if (light.range < 0.0f) report(findings, place.field("range"), "must be >= 0" + got(light.range));
@@ -121,6 +169,7 @@ void check_pass_state(const Frame& frame, const Pass& pass, const Place& place, 
         check_part(pass.state.scissor, *drawn_to, state.field("scissor"), findings);
     }
     check_stages(pass.state, state, findings);
+    check_arithmetic(frame, pass, state, findings);
     check_lighting(pass.state.lighting, state.field("lighting"), findings);
 }
 

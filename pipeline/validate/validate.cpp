@@ -91,6 +91,12 @@ std::vector<Finding> validate(const Frame& frame) {
     const Place whole("frame");
     check_id(frame, frame.output, whole.field("output"), findings);
     check_output(frame, whole, findings);
+    const Place arithmetic("arithmetic");
+    check_values(frame, frame.arithmetic, arithmetic, findings);
+    if (frame.arithmetic.pixel_center < 0 || frame.arithmetic.pixel_center > 15) {
+        report(findings, arithmetic.field("pixel_center"),
+               "must lie within 0..15" + got(frame.arithmetic.pixel_center));
+    }
     for (std::size_t i = 0; i < frame.targets.size(); ++i) {
         const Target& target = frame.targets[i];
         const Place place("target", i, target.name);

@@ -73,7 +73,7 @@ TEST_CASE("the JSON of a pass has its counts by name", "[statistics]") {
     CHECK(object["depth_written"] == 5);
     CHECK(object["color_written"] == 6);
     CHECK(object["milliseconds"] == 1.5);
-    CHECK(object.size() == 15);
+    CHECK(object.size() == 16);
 }
 
 TEST_CASE("every printable character has a glyph of its own", "[contact sheet]") {

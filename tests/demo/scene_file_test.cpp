@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "demo/builtin_scenes.h"
+#include "demo/embedded_texts.h"
 #include "demo/scene_build.h"
 #include "pipeline/validate/validate.h"
 
@@ -194,7 +194,7 @@ TEST_CASE("position and scale place a cloud's particles, base and blur", "[demo]
 
 TEST_CASE("every built-in scene parses, has a summary, and no two share a name", "[demo][scene_file]") {
     REQUIRE_FALSE(embedded_scenes().empty());
-    for (const EmbeddedScene& scene : embedded_scenes()) {
+    for (const EmbeddedText& scene : embedded_scenes()) {
         INFO(scene.name);
         const SceneDescription about = parse_scene(scene.text, std::string(scene.name), std::string(scene.name));
         CHECK_FALSE(about.summary.empty());

@@ -26,6 +26,7 @@ struct CompareRow {
 const CompareRow kCompareRows[] = {
     {CompareFunc::Always, "<=>"},       {CompareFunc::LessEqual, "<= "}, {CompareFunc::Less, "<  "},
     {CompareFunc::GreaterEqual, " =>"}, {CompareFunc::Greater, "  >"},   {CompareFunc::Equal, " = "},
+    {CompareFunc::NotEqual, "< >"},     {CompareFunc::Never, "   "},
 };
 
 // One of "<=>" for each pixel that was drawn to.

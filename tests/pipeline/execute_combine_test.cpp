@@ -24,14 +24,26 @@ std::uint32_t joined(std::uint32_t color, std::uint32_t alpha) {
 
 TEST_CASE("each texture operation, in colour and in alpha", "[execute]") {
     constexpr std::uint32_t kTexel = 0x9028c85a, kFactor = 0x50463cf0, kDiffuse = 0x11223344;
+    constexpr std::uint32_t kCurrent = ~kFactor;  // what the first stage leaves
     const struct Row {
         TextureOp op;
         std::uint32_t expected;  // of the texel, then the texture factor
     } rows[] = {
-        {TextureOp::Disable, kDiffuse},    {TextureOp::SelectArg1, kTexel},     {TextureOp::SelectArg2, kFactor},
-        {TextureOp::Modulate, 0x2d0b2f55}, {TextureOp::Modulate2X, 0x5a165ea9}, {TextureOp::Modulate4X, 0xb52cbcff},
-        {TextureOp::Add, 0xe06effff},      {TextureOp::AddSigned, 0x610085cb},  {TextureOp::AddSigned2X, 0xc100ffff},
+        {TextureOp::Disable, kCurrent},
+        {TextureOp::SelectArg1, kTexel},
+        {TextureOp::SelectArg2, kFactor},
+        {TextureOp::Modulate, 0x2d0b2f55},
+        {TextureOp::Modulate2X, 0x5a165ea9},
+        {TextureOp::Modulate4X, 0xb52cbcff},
+        {TextureOp::Add, 0xe06effff},
+        {TextureOp::AddSigned, 0x610085cb},
+        {TextureOp::AddSigned2X, 0xc100ffff},
         {TextureOp::Subtract, 0x40008c00},
+        {TextureOp::BlendDiffuseAlpha, 0x544445e6},      // red: (40 * 17 + 70 * 238) / 255 = 68
+        {TextureOp::BlendTextureAlpha, 0x74358b9b},      // red: (40 * 144 + 70 * 111) / 255 = 53.06
+        {TextureOp::BlendFactorAlpha, 0x643d68c1},       // red: (40 * 80 + 70 * 175) / 255 = 60.59
+        {TextureOp::BlendCurrentAlpha, 0x7c319c89},      // red: (40 * 175 + 70 * 80) / 255 = 49.41
+        {TextureOp::ModulateColorAddAlpha, 0xbd9bbfe5},  // red: 40 * 70 / 255 = 10.98, and 144
     };
     check_table(rows, &Row::op, &Row::expected);
 
@@ -39,14 +51,19 @@ TEST_CASE("each texture operation, in colour and in alpha", "[execute]") {
         Frame frame               = small_frame(18, 1);
         Pass& pass                = frame.passes[0];
         pass.state.texture_factor = {kFactor};
-        pass.state.stages[0]      = {.color_op   = color_op,
+        const TextureArg inverted = {.source = ArgSource::TFactor, .complement = true};
+        pass.state.stages[0]      = {.color_op   = TextureOp::SelectArg1,
+                                     .color_arg1 = inverted,
+                                     .alpha_op   = TextureOp::SelectArg1,
+                                     .alpha_arg1 = inverted};
+        pass.state.stages[1]      = {.color_op   = color_op,
                                      .color_arg1 = {.source = ArgSource::Texture},
                                      .color_arg2 = {.source = ArgSource::TFactor},
                                      .alpha_op   = alpha_op,
                                      .alpha_arg1 = {.source = ArgSource::Texture},
                                      .alpha_arg2 = {.source = ArgSource::TFactor}};
         DrawRectangle draw        = rectangle({0, 0, 18, 1}, kDiffuse);
-        draw.textures[0]          = bound(add_texel(frame, kTexel));
+        draw.textures[1]          = bound(add_texel(frame, kTexel));
         pass.draws                = {draw};
         return color_on_both(frame);
     };

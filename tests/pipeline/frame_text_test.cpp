@@ -289,12 +289,12 @@ TEST_CASE("errors of the text say where and why") {
          "2:13: unknown field 'trailing' in the frame; there are output, targets, cameras, passes, textures, vertices, "
          "indices"},
         {"nimbus7 frame 1\npasses [ {} { state {\n  blnd {} } } ]",
-         "3:3: unknown field 'blnd' in passes[1].state; there are blend, color_mask, depth, alpha_test, cull, shade, "
-         "fog, "
-         "texture_factor, stages, lighting, viewport, scissor"},
+         "3:3: unknown field 'blnd' in passes[1].state; there are blend, gs_blend, dither, color_mask, "
+         "depth, alpha_test, dest_alpha_test, cull, shade, fog, texture_factor, stages, lighting, viewport, scissor"},
         {"nimbus7 frame 1\npasses [ { state { stages [{} { color_op MODULATE3X }] } } ]",
          "2:42: unknown value 'MODULATE3X' for passes[0].state.stages[1].color_op; one of DISABLE, SELECTARG1, "
-         "SELECTARG2, MODULATE, MODULATE2X, MODULATE4X, ADD, ADDSIGNED, ADDSIGNED2X, SUBTRACT"},
+         "SELECTARG2, MODULATE, MODULATE2X, MODULATE4X, ADD, ADDSIGNED, ADDSIGNED2X, SUBTRACT, "
+         "BLENDDIFFUSEALPHA, BLENDTEXTUREALPHA, BLENDFACTORALPHA, BLENDCURRENTALPHA, MODULATECOLOR_ADDALPHA"},
         {"nimbus7 frame 1\npasses [ { state { cull } } ]", "2:25: expected one of NONE, CW, CCW, got '}'"},
         {"nimbus7 frame 1\npasses [ { state { alpha_test { reference 256 } } } ]",
          "2:43: expected an integer from 0 to 255, got '256'"},
@@ -330,7 +330,7 @@ TEST_CASE("errors of the text say where and why") {
         {"nimbus7 frame 1\ntargets [ \"a\n\" {} ]", "2:11: the string is not closed on its line"},
         {"nimbus7 frame 1\ntargets [ \"a\\q\" {} ]",
          "2:13: unknown escape in a string: there are \\\" \\\\ \\n \\t \\r \\x7f"},
-        {"nimbus7 frame 1\npasses [{ draws [ circle {} ] }]", "2:19: expected one of triangles rectangle"},
+        {"nimbus7 frame 1\npasses [{ draws [ circle {} ] }]", "2:19: expected one of triangles rectangle copy"},
         {"nimbus7 frame 1\npasses [{ draws [ rectangle { textures [{}{}{}] } ] }]",
          "2:45: too many: passes[0].draws[0].textures has 2 entries"},
         {"nimbus7 frame 1\ntextures [{ texels [00 f] }]", "2:25: half a byte: a byte has two hexadecimal digits"},

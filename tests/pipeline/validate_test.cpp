@@ -3,13 +3,13 @@
 // that it must give.
 #include "pipeline/validate/validate.h"
 
-#include <catch2/catch.hpp>
-#include <functional>
 #include <limits>
 
 #include "tests/support/random_frame.h"
+#include "tests/support/validate_rules.h"
 
 using namespace pipeline;
+using test_support::Rule, test_support::text_of;
 
 namespace {
 
@@ -79,25 +79,8 @@ Light& point_light(Frame& frame) {
     return frame.passes[0].state.lighting.lights[1];
 }
 
-struct Rule {
-    const char* name;
-    std::function<void(Frame&)> break_it;
-    std::vector<Finding> findings;
-};
-
-std::string text_of(const std::vector<Finding>& findings) {
-    std::string text;
-    for (const Finding& finding : findings) text += finding.where + ": " + finding.what + "\n";
-    return text;
-}
-
 void check_rules(const std::vector<Rule>& rules) {
-    for (const Rule& rule : rules) {
-        INFO(rule.name);
-        Frame frame = valid_frame();
-        rule.break_it(frame);
-        CHECK(text_of(validate(frame)) == text_of(rule.findings));
-    }
+    test_support::check_rules(&valid_frame, rules);
 }
 
 void check_valid(const std::vector<std::pair<const char*, std::function<void(Frame&)>>>& changes) {
@@ -149,8 +132,9 @@ TEST_CASE("validate: frame, targets, textures") {
          [](Frame& f) { f.targets[3].height = 8193; },
          {{"target 3 'half': height", "must lie within 1..8192 (got 8193)"}}},
         {"no such format",
-         [](Frame& f) { f.targets[3].format = static_cast<TargetFormat>(4); },
-         {{"target 3 'half': format", "must be one of A8R8G8B8 D16 D24 D32 (got #4)"}}},
+         [](Frame& f) { f.targets[3].format = static_cast<TargetFormat>(11); },
+         {{"target 3 'half': format",
+           "must be one of A8R8G8B8 X8R8G8B8 R5G6B5 A1R5G5B5 R6G6B6A6 PSMCT32 PSMCT24 PSMCT16 D16 D24 D32 (got #11)"}}},
         {"texture size",
          [](Frame& f) { f.textures[1].width = -1; },
          {{"texture 1 'odd': width", "must lie within 1..8192 (got -1)"}}},

@@ -94,9 +94,9 @@ TEST_CASE("Every pair of blend factors is one rounding of the exact sum", "[refe
     for (int s = 0; s < 10; ++s) {
         for (int d = 0; d < 10; ++d) {
             RandomPixels pixels(static_cast<unsigned>(1 + s * 10 + d));
-            FillState state     = texture_only(pixels.texture);
-            state.source_factor = kFactors[s];
-            state.dest_factor   = kFactors[d];
+            FillState state    = texture_only(pixels.texture);
+            state.blend.source = kFactors[s];
+            state.blend.dest   = kFactors[d];
             CHECK(pixels.canvas.draw(state, rectangle(0, 0, kSide, kSide)).depth_passed == kSide * kSide);
             int wrong = 0;
             for (int y = 0; y < kSide; ++y) {
@@ -117,8 +117,8 @@ TEST_CASE("Every pair of blend factors is one rounding of the exact sum", "[refe
 
 TEST_CASE("Blends with known answers", "[reference]") {
     FillState over;
-    over.source_factor = kFactors[4];
-    over.dest_factor   = kFactors[5];
+    over.blend.source = kFactors[4];
+    over.blend.dest   = kFactors[5];
     CHECK(pixel(over, 0x80ff8040, 0xff008000) == 0xbf808020);
     CHECK(pixel(over, 0x00ffffff, 0x12345678) == 0x12345678);
     CHECK(pixel(over, 0xff123456, 0x9abcdef0) == 0xff123456);
@@ -128,30 +128,37 @@ TEST_CASE("Blends with known answers", "[reference]") {
 TEST_CASE("Only channels in the write mask change", "[reference]") {
     FillState state;
     for (std::uint32_t mask : {0u, 0xffu, 0xff00u, 0xff0000u, 0xff000000u, 0xffffffu, 0xff00ff00u, 0xffffffffu}) {
-        state.write_mask = mask;
+        state.blend.write_mask = mask;
         CHECK(pixel(state, 0x11223344, 0xaabbccdd) == ((0x11223344 & mask) | (0xaabbccdd & ~mask)));
     }
+    // Also where the target makes up an alpha, or bits of a channel.
+    state.blend.write_mask = 0xff;
+    CHECK(pixel(state, 0x11223344, 0xaabbccdd, {5, 6, 5, 0}) == 0xaabbcc42);
 }
 
-TEST_CASE("A masked or missing colour target leaves depth and counts as they are", "[reference]") {
+TEST_CASE("A masked or missing colour target leaves depth and its counts as they are", "[reference]") {
     FillState state;
-    state.depth_write = true;
-    state.write_mask  = GENERATE(0u, kWhite);
+    state.depth_write      = true;
+    state.blend.write_mask = GENERATE(0u, kWhite);
     Image color(8, 8), depth(8, 8);
-    const bool has_color = state.write_mask == 0;
-    const Draw all{state, {}, {rectangle(0, 0, 8, 8, kWhite, 1.0f)}};
-    const FillCounts counts = reference_fill_pass({has_color ? &color : nullptr, &depth, 16, depth.bounds(), {all}});
-    CHECK(counts == FillCounts{64, 64, 64, 0});
+    PassFill pass;
+    pass.color      = state.blend.write_mask == 0 ? &color : nullptr;
+    pass.depth      = &depth;
+    pass.depth_bits = 16;
+    pass.scissor    = depth.bounds();
+    pass.draws      = {{state, {}, {rectangle(0, 0, 8, 8, kWhite, 1.0f)}}};
+    CHECK(reference_fill_pass(pass) == FillCounts{64, 64, 64, 64, 0});
     CHECK(depth.row(7)[7] == 0xffff);
     CHECK(color.row(7)[7] == 0);
 }
 
 TEST_CASE("Combine operations are exact and rounded once", "[reference]") {
     const auto op       = GENERATE(CombineOp::Select, CombineOp::Modulate, CombineOp::Modulate2X, CombineOp::Modulate4X,
-                                   CombineOp::Add, CombineOp::AddSigned, CombineOp::AddSigned2X, CombineOp::Subtract);
+                                   CombineOp::Add, CombineOp::AddSigned, CombineOp::AddSigned2X, CombineOp::Subtract,
+                                   CombineOp::Lerp, CombineOp::MultiplyAdd);
     // In 255ths of a byte, so that products and sums have one denominator. One half is 127.5 of 255, which only the
     // doubled sum holds; the single one takes 127.
-    const auto expected = [op](int a, int b) {
+    const auto expected = [op](int a, int b, int c) {
         switch (op) {
             case CombineOp::Select:
                 return nearest_byte(255 * a, 255);
@@ -169,30 +176,117 @@ TEST_CASE("Combine operations are exact and rounded once", "[reference]") {
                 return nearest_byte(255 * (2 * (a + b) - 255), 255);
             case CombineOp::Subtract:
                 return nearest_byte(255 * (a - b), 255);
+            case CombineOp::Lerp:
+                return nearest_byte(a * c + b * (255 - c), 255);
+            case CombineOp::MultiplyAdd:
+                return nearest_byte(a * b + 255 * c, 255);
         }
         return -1;
     };
     RandomPixels pixels(static_cast<unsigned>(op) + 100);
-    for (int variant = 0; variant < 16; ++variant) {
+    for (int variant = 0; variant < 64; ++variant) {
         const CombineArg a{Source::Texel, (variant & 1) != 0, (variant & 2) != 0};
         const CombineArg b{Source::Constant, (variant & 4) != 0, (variant & 8) != 0};
+        const CombineArg c{Source::Diffuse, (variant & 16) != 0, (variant & 32) != 0};
         FillState state    = texture_only(pixels.texture);
-        state.stages[0]    = {{op, a, b}, {op, a, b}};
+        state.stages[0]    = {{op, a, b, c}, {op, a, b, c}};
         state.constant     = random_color(pixels.random);
-        const auto operand = [](std::uint32_t color, const CombineArg& arg, int c) {
-            const int value = arg.alpha_replicate ? channel(color, 3) : channel(color, c);
+        const auto diffuse = random_color(pixels.random);
+        const auto operand = [](std::uint32_t color, const CombineArg& arg, int ch) {
+            const int value = arg.alpha_replicate ? channel(color, 3) : channel(color, ch);
             return arg.complement ? 255 - value : value;
         };
-        pixels.canvas.draw(state, rectangle(0, 0, kSide, kSide));
+        pixels.canvas.draw(state, rectangle(0, 0, kSide, kSide, diffuse));
         int wrong = 0;
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x)
-                for (int c = 0; c < 4; ++c)
-                    if (channel(pixels.canvas.at(x, y), c) !=
-                        expected(operand(pixels.source(x, y), a, c), operand(state.constant, b, c)))
+                for (int ch = 0; ch < 4; ++ch)
+                    if (channel(pixels.canvas.at(x, y), ch) != expected(operand(pixels.source(x, y), a, ch),
+                                                                        operand(state.constant, b, ch),
+                                                                        operand(diffuse, c, ch)))
                         ++wrong;
         CAPTURE(static_cast<int>(op), variant);
         CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("Combine operations of each rule, with known answers", "[reference]") {
+    struct Row {
+        CombineOp op;
+        int a, b, c, nearest255, tev, shift7;
+    };
+    constexpr int kNot             = -1;  // not to be asked of Shift7
+    // To nearest255 one is 255, to tev 255 as well, but by way of 256ths, and to shift7 it is 128.
+    const std::array<Row, 23> rows = {{
+        {CombineOp::Select, 200, 1, 2, 200, 200, 200},
+        {CombineOp::Modulate, 77, 128, 0, 39, 39, 77},      // 38.65; 77 * 129 = 9933, of 256 38.80
+        {CombineOp::Modulate, 100, 200, 0, 78, 79, 156},    // 78.43; 100 * 201 = 20100, 78.52; 156.25
+        {CombineOp::Modulate, 200, 127, 0, 100, 99, 198},   // 99.61; 200 * 127 = 25400, 99.22; 198.44
+        {CombineOp::Modulate, 255, 255, 0, 255, 255, 255},  // 508
+        {CombineOp::Modulate, 3, 127, 0, 1, 1, 2},          // 2.98
+        {CombineOp::Modulate2X, 100, 200, 0, 157, 157, kNot},
+        {CombineOp::Modulate2X, 60, 100, 0, 47, 47, kNot},
+        {CombineOp::Modulate2X, 200, 200, 0, 255, 255, kNot},
+        {CombineOp::Modulate4X, 50, 80, 0, 63, 63, kNot},  // 62.75; 62.5, half up
+        {CombineOp::Add, 200, 50, 0, 250, 250, 250},
+        {CombineOp::Add, 200, 100, 0, 255, 255, 255},
+        {CombineOp::AddSigned, 200, 100, 0, 173, 172, kNot},
+        {CombineOp::AddSigned, 10, 20, 0, 0, 0, kNot},
+        {CombineOp::AddSigned2X, 100, 100, 0, 145, 144, kNot},
+        {CombineOp::Subtract, 200, 77, 0, 123, 123, kNot},
+        {CombineOp::Lerp, 100, 0, 200, 78, 79, kNot},
+        {CombineOp::Lerp, 200, 100, 64, 125, 125, kNot},
+        {CombineOp::Lerp, 200, 100, 0, 100, 100, kNot},
+        {CombineOp::Lerp, 200, 100, 255, 200, 200, kNot},
+        {CombineOp::MultiplyAdd, 100, 200, 30, 108, 109, 186},
+        {CombineOp::MultiplyAdd, 100, 101, 30, 70, 69, 108},  // 39.6; 10100, 39.45; 78.9
+        {CombineOp::MultiplyAdd, 255, 255, 30, 255, 255, 255},
+    }};
+    for (const Row& row : rows) {
+        const Texture texture(1, 1, [&](int, int) { return grey(row.a); });
+        FillState state  = texture_only(texture);
+        const Combine of = {row.op, {Source::Texel}, {Source::Constant}, {Source::Diffuse}};
+        state.stages[0]  = {of, of};
+        state.constant   = grey(row.b);
+        CAPTURE(static_cast<int>(row.op), row.a, row.b, row.c);
+        state.combine_rule = CombineRule::Nearest255;
+        CHECK(pixel(state, grey(row.c)) == grey(row.nearest255));
+        state.combine_rule = CombineRule::Tev;
+        CHECK(pixel(state, grey(row.c)) == grey(row.tev));
+        state.combine_rule = CombineRule::Shift7;
+        if (row.shift7 != kNot) CHECK(pixel(state, grey(row.c)) == grey(row.shift7));
+    }
+}
+
+TEST_CASE("Fog of each rule, with known answers", "[reference]") {
+    struct Row {
+        int fog, color, fog_color, nearest255, floor256, two_floors;
+    };
+    const std::array<Row, 5> rows = {{
+        {128, 201, 100, 151, 150, 149},  // 150.7; 38528 of 256, 150.5; 100.5 and 49.6
+        {255, 200, 100, 200, 199, 199},  // 200; 51100, 199.6; 199.2
+        {255, 128, 128, 128, 128, 127},  // 128; 128; 127.5
+        {0, 200, 100, 100, 100, 99},     // 100; 100; 99.6
+        {64, 255, 0, 64, 63, 63},        // 64; 63.75
+    }};
+    for (const Row& row : rows) {
+        const auto drawn = [&](FogRule rule) {
+            FillState state;
+            state.fog       = true;
+            state.fog_rule  = rule;
+            state.fog_color = grey(row.fog_color);
+            Triangle t      = {vertex(-1, -1, grey(row.color)), vertex(9, -1, grey(row.color)),
+                               vertex(-1, 9, grey(row.color))};
+            for (Vertex& v : t) v.specular = static_cast<std::uint32_t>(row.fog) << 24;
+            Canvas canvas(1, 1);
+            canvas.draw(state, {t});
+            CHECK(channel(canvas.at(0, 0), 3) == row.color);
+            return canvas.at(0, 0) & 0xffffff;
+        };
+        CAPTURE(row.fog, row.color, row.fog_color);
+        CHECK(drawn(FogRule::Nearest255) == (grey(row.nearest255) & 0xffffff));
+        CHECK(drawn(FogRule::Floor256) == (grey(row.floor256) & 0xffffff));
+        CHECK(drawn(FogRule::TwoFloors) == (grey(row.two_floors) & 0xffffff));
     }
 }
 
@@ -259,45 +353,6 @@ TEST_CASE("Specular is added, then fog mixed in, and neither touches alpha", "[r
     CHECK(pixel(both, 0x12345678) == 0x12345678);
 }
 
-TEST_CASE("Alpha and depth tests keep a fragment if it compares so to the reference", "[reference]") {
-    struct Row {
-        Compare func;
-        bool below, same, above;
-    };
-    const Row row = GENERATE(Row{Compare::Always, true, true, true}, Row{Compare::LessEqual, true, true, false},
-                             Row{Compare::Less, true, false, false}, Row{Compare::GreaterEqual, false, true, true},
-                             Row{Compare::Greater, false, false, true}, Row{Compare::Equal, false, true, false});
-    const std::array<bool, 3> passes = {row.below, row.same, row.above};
-    for (int i = 0; i < 3; ++i) {
-        FillState alpha;
-        alpha.alpha_func      = row.func;
-        alpha.alpha_reference = 100;
-        alpha.depth_write     = true;
-        Canvas canvas(2, 1);
-        const auto color  = static_cast<std::uint32_t>(99 + i) << 24 | 0x123456;
-        FillCounts counts = canvas.draw(alpha, rectangle(0, 0, 2, 1, color, 1.0f));
-        CHECK(counts == (passes[i] ? FillCounts{2, 2, 2, 0} : FillCounts{2, 0, 0, 0}));
-        CHECK(canvas.at(1, 0) == (passes[i] ? color : 0));
-        CHECK(canvas.depth.row(0)[1] == (passes[i] ? 0xffffff : 0));
-
-        FillState depth;
-        depth.depth_func                    = row.func;
-        canvas.color.row(0)[0]              = 0;
-        const std::array<float, 3> fragment = {0.25f, 0.5f, 0.75f};
-        for (bool write : {false, true}) {
-            depth.depth_write      = write;
-            canvas.depth.row(0)[0] = 1 << 23;  // what 0.5 is in 24 bits
-            counts                 = canvas.draw(depth, rectangle(0, 0, 1, 1, color, fragment[i]));
-            CHECK(counts == (passes[i] ? FillCounts{1, 1, 1, 0} : FillCounts{1, 1, 0, 0}));
-            CHECK(canvas.at(0, 0) == (passes[i] ? color : 0));
-            const std::array<std::uint32_t, 3> written = {1 << 22, 1 << 23, 3 << 22};
-            const bool wrote                           = write && passes[i];
-            CHECK(std::abs(static_cast<int>(canvas.depth.row(0)[0]) -
-                           static_cast<int>(wrote ? written[i] : 1u << 23)) <= (wrote ? 1 : 0));
-        }
-    }
-}
-
 TEST_CASE("A texel is read only where an operation looks at it", "[reference]") {
     FillState state;
     CHECK_FALSE(reads(state, 0, CombineArg::Source::Texel));
@@ -314,4 +369,11 @@ TEST_CASE("A texel is read only where an operation looks at it", "[reference]") 
     state.stages[0].alpha.a.source = Source::Texel;
     CHECK(reads(state, 0, CombineArg::Source::Texel));
     CHECK_FALSE(reads(state, 2, CombineArg::Source::Texel));
+
+    state.stages[0].alpha = {CombineOp::Modulate, {Source::Diffuse}, {Source::Current}, {Source::Texel}};
+    CHECK_FALSE(reads(state, 0, CombineArg::Source::Texel));
+    for (CombineOp op : {CombineOp::Lerp, CombineOp::MultiplyAdd}) {
+        state.stages[0].alpha.op = op;
+        CHECK(reads(state, 0, CombineArg::Source::Texel));
+    }
 }

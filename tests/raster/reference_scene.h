@@ -2,6 +2,7 @@
 // Small scenes for the tests of the oracle: a pass onto one image, textures in memory, and states that do one thing.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <random>
@@ -51,7 +52,7 @@ inline raster::FillState texture_only(const Texture& texture) {
 // Adds up what is drawn.
 inline raster::FillState additive() {
     raster::FillState state;
-    state.dest_factor = raster::kOne;
+    state.blend.dest = raster::kOne;
     return state;
 }
 
@@ -62,6 +63,11 @@ inline raster::Vertex vertex(float x, float y, std::uint32_t diffuse = kWhite, f
     v.z       = z;
     v.diffuse = diffuse;
     return v;
+}
+
+inline raster::Triangle triangle(std::array<std::array<float, 2>, 3> corners, std::uint32_t color = kWhite) {
+    return {vertex(corners[0][0], corners[0][1], color), vertex(corners[1][0], corners[1][1], color),
+            vertex(corners[2][0], corners[2][1], color)};
 }
 
 inline raster::Rectangle rectangle(float x0, float y0, float x1, float y1, std::uint32_t color = kWhite,
@@ -82,8 +88,15 @@ struct Canvas {
 
     raster::FillCounts draw(const raster::FillState& state, const std::vector<raster::Triangle>& triangles,
                             const std::vector<raster::Rectangle>& rectangles = {}, int depth_bits = 24) {
-        return raster::reference_fill_pass(
-            {&color, &depth, depth_bits, color.bounds(), {raster::Draw{state, triangles, rectangles}}});
+        raster::PassFill pass;
+        pass.color      = &color;
+        pass.depth      = &depth;
+        pass.depth_bits = depth_bits;
+        pass.format     = format;
+        pass.grid       = grid;
+        pass.scissor    = color.bounds();
+        pass.draws      = {raster::Draw{state, triangles, rectangles}};
+        return raster::reference_fill_pass(pass);
     }
     raster::FillCounts draw(const raster::FillState& state, const raster::Rectangle& rectangle, int depth_bits = 24) {
         return draw(state, {}, {rectangle}, depth_bits);
@@ -91,14 +104,23 @@ struct Canvas {
     std::uint32_t at(int x, int y) const { return color.row(y)[x]; }
 
     raster::Image color, depth;
+    raster::ColorFormat format;
+    raster::PixelGrid grid;
 };
 
 // One pixel with `state`, drawn by a rectangle of a colour over `dest`.
-inline std::uint32_t pixel(const raster::FillState& state, std::uint32_t color, std::uint32_t dest = 0) {
+inline std::uint32_t pixel(const raster::FillState& state, std::uint32_t color, std::uint32_t dest = 0,
+                           const raster::ColorFormat& format = {}) {
     Canvas canvas(1, 1);
+    canvas.format          = format;
     canvas.color.row(0)[0] = dest;
     canvas.draw(state, rectangle(0, 0, 1, 1, color));
     return canvas.at(0, 0);
+}
+
+// The byte in every channel.
+constexpr std::uint32_t grey(int byte) {
+    return static_cast<std::uint32_t>(byte) * 0x01010101u;
 }
 
 inline int channel(std::uint32_t color, int c) {

@@ -16,11 +16,6 @@ using namespace reference_scene;
 
 namespace {
 
-Triangle triangle(std::array<std::array<float, 2>, 3> corners, std::uint32_t color = kWhite) {
-    return {vertex(corners[0][0], corners[0][1], color), vertex(corners[1][0], corners[1][1], color),
-            vertex(corners[2][0], corners[2][1], color)};
-}
-
 int drawn_pixels(const Image& image, std::uint32_t color) {
     int count = 0;
     for (int y = 0; y < image.height(); ++y)
@@ -102,7 +97,7 @@ TEST_CASE("Edges through pixel centres belong to the top and the left", "[refere
     }
 }
 
-TEST_CASE("Coordinates snap to sixteenths, ties to even", "[reference]") {
+TEST_CASE("Coordinates snap before a pixel is covered", "[reference]") {
     const auto covers_centre_from = [](float x0) {
         Canvas canvas(1, 1);
         return canvas.draw({}, rectangle(x0, 0.0f, 2.0f, 1.0f)).covered == 1;
@@ -111,14 +106,24 @@ TEST_CASE("Coordinates snap to sixteenths, ties to even", "[reference]") {
     CHECK(covers_centre_from(0.5f + 1.0f / 32));        // 8.5 sixteenths, to 8
     CHECK_FALSE(covers_centre_from(0.5f + 1.1f / 32));  // to 9
     CHECK_FALSE(covers_centre_from(0.5f + 3.0f / 32));  // 9.5, to 10
+
+    Canvas truncating(1, 1);
+    truncating.grid = {8, true};
+    CHECK(truncating.draw({}, rectangle(0.5f + 1.9f / 32, 0.0f, 2.0f, 1.0f)).covered == 1);  // 8.95, to 8
+    CHECK(truncating.draw({}, rectangle(0.5f + 2.0f / 32, 0.0f, 2.0f, 1.0f)).covered == 0);
+    const float left = 0.5f + 1.9f / 32;
+    CHECK(truncating.draw({}, {triangle({{{left, 0.5f}, {2.5f, 0.5f}, {left, 2.5f}}})}).covered == 1);
 }
 
 TEST_CASE("Triangles that share edges cover each pixel exactly once", "[reference]") {
+    const PixelGrid grid = GENERATE(PixelGrid{}, PixelGrid{0, true}, PixelGrid{9, false}, PixelGrid{15, false});
+    CAPTURE(grid.center);
     std::mt19937 random(7);
     for (int phase = 0; phase < 256; ++phase) {
         const int x = 16 + phase % 16, y = 16 + phase / 16;
         CAPTURE(x, y);
         Canvas fan(24, 17), outline(24, 17);
+        fan.grid = outline.grid = grid;
         fan.draw(additive(), random_fan(random, x, y));
         outline.draw({}, rectangle(subpixels(x), subpixels(y), subpixels(x + 320), subpixels(y + 208), 0x01010101));
         bool equal = true;
@@ -148,7 +153,11 @@ TEST_CASE("Nothing is drawn outside the scissor", "[reference]") {
     draw.triangles  = {triangle({{{-16384.0f, -16384.0f}, {16384.0f, -16384.0f}, {-16384.0f, 16384.0f}}}),
                        triangle({{{16384.0f, -16384.0f}, {16384.0f, 16384.0f}, {-16384.0f, 16384.0f}}})};
     const auto once = static_cast<std::uint64_t>((scissor.x1 - scissor.x0) * (scissor.y1 - scissor.y0));
-    CHECK(reference_fill_pass({&color, nullptr, 24, scissor, {draw}}).covered == once);
+    PassFill pass;
+    pass.color   = &color;
+    pass.scissor = scissor;
+    pass.draws   = {draw};
+    CHECK(reference_fill_pass(pass).covered == once);
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 40; ++x) CHECK(color.row(y)[x] == (x >= 5 && x < 23 && y >= 3 && y < 11 ? kWhite : 0));
 }
@@ -312,6 +321,36 @@ TEST_CASE("A colour half-way between two bytes takes the greater", "[reference]"
     for (int x = 0; x < 16; ++x) CHECK(canvas.at(x, 0) == (x < 8 ? 0 : 0x01010101));
 }
 
+TEST_CASE("Floored colours are the byte below", "[reference]") {
+    // From 0 to 8 over sixteen pixels, from centre to centre: half a byte a pixel, exactly.
+    const auto left = [](float y) { return vertex(0.5f, y, 0); };
+    FillState state;
+    state.floor_colors = GENERATE(false, true);
+    Canvas canvas(16, 1);
+    canvas.draw(state, {{left(0.0f), vertex(16.5f, 0.0f, 0x08080808), left(16.0f)}});
+    for (int x = 0; x < 16; ++x) CHECK(canvas.at(x, 0) == grey(state.floor_colors ? x / 2 : (x + 1) / 2));
+    // And so is the factor of fog.
+    Triangle fogged = {left(0.0f), vertex(16.5f, 0.0f, 0), left(16.0f)};
+    for (Vertex& v : fogged) v.specular = 0;
+    fogged[1].specular = 0x08000000;
+    state.fog          = true;
+    state.fog_color    = 0x00ffffff;
+    canvas.draw(state, {fogged});
+    for (int x = 0; x < 16; ++x)
+        CHECK(canvas.at(x, 0) == (grey(255 - (state.floor_colors ? x / 2 : (x + 1) / 2)) & 0xffffff));
+}
+
+TEST_CASE("A floored colour below 0 is 0", "[reference]") {
+    // From 1 to 0 over 200 pixels: a step of -128/200, rounded to -1. The block at 192 starts at 128 * 8 / 200, rounded
+    // to 5, so that values from pixel 198 on are negative.
+    Canvas canvas(208, 1);
+    FillState state;
+    state.floor_colors = true;
+    canvas.draw(state, {{vertex(0.5f, 0.0f, grey(1)), vertex(200.5f, 0.0f, 0), vertex(0.5f, 200.0f, grey(1))}});
+    CHECK(canvas.at(0, 0) == grey(1));
+    for (int x = 1; x < 200; ++x) CHECK(canvas.at(x, 0) == 0);
+}
+
 TEST_CASE("A vertex at a covered centre gives its own colour", "[reference]") {
     std::mt19937 random(3);
     for (int i = 0; i < 500; ++i) {
@@ -334,10 +373,14 @@ TEST_CASE("A vertex at a covered centre gives its own colour", "[reference]") {
 TEST_CASE("Triangles are drawn before rectangles, and draws in their order", "[reference]") {
     Image color(4, 4);
     Draw first, second;
-    first.rectangles        = {rectangle(0, 0, 4, 4, 0x11111111), rectangle(0, 0, 1, 4, 0x22222222)};
-    first.triangles         = {triangle({{{-9, -9}, {99, -9}, {-9, 99}}}, 0x33333333)};
-    second.triangles        = {triangle({{{0, 0}, {8, 0}, {0, 2}}}, 0x44444444)};
-    const FillCounts counts = reference_fill_pass({&color, nullptr, 24, color.bounds(), {first, second}});
+    first.rectangles = {rectangle(0, 0, 4, 4, 0x11111111), rectangle(0, 0, 1, 4, 0x22222222)};
+    first.triangles  = {triangle({{{-9, -9}, {99, -9}, {-9, 99}}}, 0x33333333)};
+    second.triangles = {triangle({{{0, 0}, {8, 0}, {0, 2}}}, 0x44444444)};
+    PassFill pass;
+    pass.color              = &color;
+    pass.scissor            = color.bounds();
+    pass.draws              = {first, second};
+    const FillCounts counts = reference_fill_pass(pass);
     CHECK(color.row(3)[0] == 0x22222222);
     CHECK(color.row(3)[3] == 0x11111111);
     CHECK(color.row(0)[0] == 0x44444444);

@@ -146,7 +146,7 @@ TEST_CASE("No levels: white, and no texels counted", "[reference]") {
     state.stage_count              = 1;
     state.stages[0].color.a.source = state.stages[0].alpha.a.source = CombineArg::Source::Texel;
     Canvas canvas(4, 4);
-    CHECK(canvas.draw(state, rectangle(0, 0, 4, 4, 0x12345678)) == FillCounts{16, 16, 16, 0});
+    CHECK(canvas.draw(state, rectangle(0, 0, 4, 4, 0x12345678)) == FillCounts{16, 16, 16, 0, 16});
     CHECK(canvas.at(3, 3) == kWhite);
 }
 

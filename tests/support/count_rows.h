@@ -11,13 +11,14 @@ namespace test_support {
 
 // Names each field, so that a new one is not forgotten here.
 inline std::string text_of(const pipeline::PassCounts& counts) {
-    const auto& [vertices, triangles_in, triangles_drawn, rectangles, covered, depth_tested, depth_passed,
+    const auto& [vertices, triangles_in, triangles_drawn, rectangles, copies, covered, depth_tested, depth_passed,
                  depth_written, color_written, blended, cleared, texels, bytes] = counts;
     std::string text;
     for (const auto& [name, value] : {std::pair{"vertices", vertices},
                                       {"triangles_in", triangles_in},
                                       {"triangles_drawn", triangles_drawn},
                                       {"rectangles", rectangles},
+                                      {"copies", copies},
                                       {"covered", covered},
                                       {"depth_tested", depth_tested},
                                       {"depth_passed", depth_passed},

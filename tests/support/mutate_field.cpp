@@ -18,6 +18,13 @@ T other_value(const T& value, std::initializer_list<T> choices, Random& random) 
     return other;
 }
 
+// The alternative after this one, the first after the last.
+template <class... Alternatives>
+std::variant<Alternatives...> another_alternative(const std::variant<Alternatives...>& value) {
+    const std::array<std::variant<Alternatives...>, sizeof...(Alternatives)> all{Alternatives{}...};
+    return all[(value.index() + 1) % all.size()];
+}
+
 // One choice at each level, so that a rare field is as likely as one of thousands of vertices.
 template <class T>
 void mutate(T& value, Random& random) {
@@ -48,11 +55,7 @@ void mutate(T& value, Random& random) {
         }
     } else if constexpr (kIsVariant<T>) {
         if (random.chance(20)) {
-            if (value.index() == 0) {
-                value.template emplace<1>();
-            } else {
-                value.template emplace<0>();
-            }
+            value = another_alternative(value);
         } else {
             std::visit([&](auto& alternative) { mutate(alternative, random); }, value);
         }

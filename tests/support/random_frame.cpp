@@ -29,6 +29,7 @@ void add_targets(Frame& frame, Random& random) {
     const int colors = random.from(1, 3), depths = random.from(0, 2);
     for (int i = 0; i < colors; ++i) {
         Target target{.name = {}, .width = random_size(random), .height = random_size(random)};
+        while (random.chance(40) || is_depth(target.format)) target.format = random.any<TargetFormat>();
         if (random.chance(75)) target.width = std::max(target.width, 32), target.height = std::max(target.height, 32);
         frame.targets.push_back(target);
     }
@@ -143,6 +144,28 @@ DrawRectangle random_rectangle(const Frame& frame, const TextureBindings& textur
     return draw;
 }
 
+// From the other colour targets that can be copied, whole or halved.
+void add_copies(const Frame& frame, Pass& pass, Random& random) {
+    const Target& to = frame.targets[static_cast<std::size_t>(pass.color.index)];
+    for (std::int32_t i = 0; i < std::ssize(frame.targets); ++i) {
+        const Target& from = frame.targets[static_cast<std::size_t>(i)];
+        if (is_depth(from.format) || i == pass.color.index) continue;
+        const bool is_16_bit = bytes_per_pixel(from.format) == 2;
+        CopyRectangle copy{.source = {i}, .halve = !is_16_bit && random.chance(60)};
+        const int step  = copy.halve ? 2 : 1;
+        const int width = std::min(from.width / step, to.width), height = std::min(from.height / step, to.height);
+        if (width == 0 || height == 0) continue;
+        const int w = random.from(1, width), h = random.from(1, height);
+        copy.from.x0 = random.from(0, from.width / step - w) * step;
+        copy.from.y0 = random.from(0, from.height / step - h) * step;
+        copy.from.x1 = copy.from.x0 + w * step;
+        copy.from.y1 = copy.from.y0 + h * step;
+        copy.x       = random.from(0, to.width - w);
+        copy.y       = random.from(0, to.height - h);
+        pass.draws.emplace_back(copy);
+    }
+}
+
 Pass random_pass(Frame& frame, Random& random) {
     Pass pass;
     std::vector<std::int32_t> colors, depths;
@@ -159,11 +182,16 @@ Pass random_pass(Frame& frame, Random& random) {
     }
     if (pass.depth && random.chance(10)) pass.color = {};
     pass.camera.index = static_cast<std::int32_t>(random.below(frame.cameras.size()));
-    pass.state        = random_state(random, target.width, target.height, static_cast<bool>(pass.depth));
+    pass.state = random_state(frame.arithmetic, random, target.width, target.height, static_cast<bool>(pass.color),
+                              static_cast<bool>(pass.depth));
     if (pass.color && random.chance(50)) pass.clear.color = Argb{random.bits()};
     if (pass.depth && random.chance(80))
         pass.clear.depth = random.one_of({1.0f, 1.0f, 1.0f, 0.0f, random.real(0.0f, 1.0f)});
 
+    if (pass.color && random.chance(10)) {
+        add_copies(frame, pass, random);
+        return pass;
+    }
     const int draws = random.chance(5) ? 0 : random.from(1, 5);
     for (int i = 0; i < draws; ++i) {
         TextureBindings textures;
@@ -188,6 +216,7 @@ Pass random_pass(Frame& frame, Random& random) {
 Frame random_frame(std::uint32_t seed) {
     Random random(seed);
     Frame frame;
+    frame.arithmetic = random_arithmetic(random);
     add_targets(frame, random);
     const auto textures = static_cast<std::size_t>(random.from(1, 4));
     for (std::size_t i = 0; i < textures; ++i) {

@@ -49,15 +49,35 @@ Light random_light(Random& random) {
     return light;
 }
 
-void fix_stages(std::array<TextureStage, kTextureStages>& stages, Random& random) {
-    const int enabled = random.chance(15) ? 0 : random.from(1, kTextureStages);
+// Only what the frame's arithmetic has rules for.
+void fix_arithmetic(const Arithmetic& arithmetic, PipelineState& state, Random& random) {
+    const bool gs_blend = arithmetic.blend == BlendRule::GsShift7;
+    if (gs_blend) {
+        state.blend = {};
+    } else {
+        state.gs_blend = {};
+    }
+    if (random.chance(60) || state.dither.mode == (gs_blend ? DitherMode::Flipper2x2 : DitherMode::GsDimx)) {
+        state.dither.mode = DitherMode::None;
+    }
+    for (std::int32_t& offset : state.dither.matrix) offset = random.from(-4, 3);
+}
+
+bool is_shift7(TextureOp op) {
+    return op == TextureOp::Disable || op == TextureOp::SelectArg1 || op == TextureOp::SelectArg2 ||
+           op == TextureOp::Modulate || op == TextureOp::Add || op == TextureOp::ModulateColorAddAlpha;
+}
+
+void fix_stages(const Arithmetic& arithmetic, std::array<TextureStage, kTextureStages>& stages, Random& random) {
+    const bool shift7 = arithmetic.combine == CombineRule::GsShift7;
+    const int enabled = random.chance(15) ? 0 : random.from(1, shift7 ? 1 : kTextureStages);
     for (int i = 0; i < kTextureStages; ++i) {
         TextureStage& stage = stages[static_cast<std::size_t>(i)];
         for (TextureOp* op : {&stage.color_op, &stage.alpha_op}) {
             if (i >= enabled) {
                 *op = TextureOp::Disable;
             } else {
-                while (*op == TextureOp::Disable) *op = random.any<TextureOp>();
+                while (*op == TextureOp::Disable || (shift7 && !is_shift7(*op))) *op = random.any<TextureOp>();
             }
         }
         if (random.chance(50)) stage.color_arg1.source = ArgSource::Texture;
@@ -93,11 +113,23 @@ Mat4 random_matrix(Random& random) {
     return matrix;
 }
 
-PipelineState random_state(Random& random, int width, int height, bool has_depth) {
+// The ideal chip, a known one's mixture of rules, or any.
+Arithmetic random_arithmetic(Random& random) {
+    Arithmetic arithmetic;
+    if (random.chance(30)) return arithmetic;
+    scramble(arithmetic, random);
+    arithmetic.pixel_center = random.chance(40) ? random.one_of({0, 8, 9}) : random.from(0, 15);
+    return arithmetic;
+}
+
+PipelineState random_state(const Arithmetic& arithmetic, Random& random, int width, int height, bool has_color,
+                           bool has_depth) {
     PipelineState state;
     scramble(state, random);
-    fix_stages(state.stages, random);
+    fix_arithmetic(arithmetic, state, random);
+    fix_stages(arithmetic, state.stages, random);
     if (random.chance(30)) state.blend = kReplace;
+    if (!has_color || random.chance(70)) state.dest_alpha_test = DestAlphaTest::Off;
     if (random.chance(60)) state.color_mask = {};
     if (random.chance(65)) state.alpha_test.func = CompareFunc::Always;
     if (random.chance(60)) state.cull = CullMode::None;

@@ -11,6 +11,9 @@ namespace test_support {
 // Near the identity; sometimes mirrored, projective or singular.
 pipeline::Mat4 random_matrix(Random& random);
 
-pipeline::PipelineState random_state(Random& random, int width, int height, bool has_depth);
+pipeline::Arithmetic random_arithmetic(Random& random);
+
+pipeline::PipelineState random_state(const pipeline::Arithmetic& arithmetic, Random& random, int width, int height,
+                                     bool has_color, bool has_depth);
 
 }  // namespace test_support
