@@ -9,8 +9,10 @@
 
 #include "demo/arguments.h"
 #include "demo/command_dump.h"
+#include "demo/command_profiles.h"
 #include "demo/command_render.h"
 #include "demo/command_scenes.h"
+#include "demo/command_vectors.h"
 #include "demo/standard_output.h"
 
 namespace demo {
@@ -38,6 +40,14 @@ StatisticsFormat parse_statistics(const std::string& text) {
 
 void check_profile(const std::string& name) {
     if (name != "ideal") throw std::runtime_error("--profile " + name + ": no such profile (there is: ideal)");
+}
+
+const pipeline::Profile& parse_profile(const std::string& name) {
+    if (const pipeline::Profile* profile = pipeline::find_profile(name)) return *profile;
+    std::string known;
+    for (const pipeline::Profile& profile : pipeline::profiles())
+        known += (known.empty() ? "" : ", ") + std::string(profile.name);
+    throw std::runtime_error("--profile " + name + ": no such profile (there are: " + known + ")");
 }
 
 // CLI11 gives a flag its value only after '='; "--stats json" is to work as well.
@@ -101,6 +111,30 @@ CLI::App* add_dump(CLI::App& app, Arguments& arguments) {
     return command;
 }
 
+CLI::App* add_vectors(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("vectors", "Write a chip's golden vectors, for the tests of other programs");
+    command->add_option("--profile", arguments.profile, "The chip: ideal, dx7, ps2, gamecube or xbox")->required();
+    command->add_option("-o,--output", arguments.output, "The directory; it is made if it is not there")->required();
+    command->callback(
+        [&arguments] { write_vectors({.profile = &parse_profile(arguments.profile), .directory = arguments.output}); });
+    return command;
+}
+
+void add_profiles(CLI::App& app, Arguments& arguments) {
+    CLI::App* command =
+        app.add_subcommand("profiles", "List the chips, or say how one computes and where that is known from");
+    command->add_option("PROFILE", arguments.profile, "The chip: ideal, dx7, ps2, gamecube or xbox");
+    command->add_flag("--open")->description("Print what is not known of any of them");
+    command->callback([command, &arguments] {
+        if (command->count("PROFILE") > 0)
+            print_profile(parse_profile(arguments.profile));
+        else if (command->count("--open") > 0)
+            print(open_questions());
+        else
+            list_profiles();
+    });
+}
+
 std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
@@ -113,6 +147,8 @@ void run_command_line(int argc, const char* const* argv) {
     app.require_subcommand(1);
     add_render(app, arguments);
     add_dump(app, arguments);
+    add_vectors(app, arguments);
+    add_profiles(app, arguments);
     app.add_subcommand("scenes", "List the built-in scenes")->callback(&list_scenes);
 
     std::vector<std::string> words = joined_statistics(argc, argv);

@@ -16,6 +16,7 @@ libraries=(
     "libcli11-dev         CLI11          CLI/CLI.hpp"
     "libtomlplusplus-dev  toml++         toml++/toml.h"
     "nlohmann-json3-dev   nlohmann-json  nlohmann/json.hpp"
+    "nettle-dev           Nettle         nettle/sha2.h"
 )
 # Debian package, name of the project, command.
 tools=(

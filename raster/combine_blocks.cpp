@@ -159,14 +159,16 @@ void add_specular(FragmentBatch& batch) {
 void apply_fog(FogRule rule, std::uint32_t fog_color, FragmentBatch& batch) {
     for_each_color(batch, [rule, fog_color](VU argb, VU specular) HWY_ATTR {
         const Pixels c = unpack(argb), fog = unpack(set(fog_color));
-        const VU f = alpha_pair(unpack(specular)), rest = invert(f), rest256 = sub16(set_pair(256), f);
+        const VU f = alpha_pair(unpack(specular)), rest = invert(f), f256 = expand256(f);
         const auto mix = [&](VU color, VU k) HWY_ATTR {
             const VU product = mul16(color, f);
             switch (rule) {
                 case FogRule::Nearest255:
                     break;
                 case FogRule::Floor256:
-                    return shift_right16<8>(add16(product, mul16(k, rest256)));
+                    return shift_right16<8>(add16(product, mul16(k, sub16(set_pair(256), f))));
+                case FogRule::Expanded256:
+                    return shift_right16<8>(add16(mul16(color, f256), mul16(k, sub16(set_pair(256), f256))));
                 case FogRule::TwoFloors:
                     return add16(shift_right16<8>(product), shift_right16<8>(mul16(k, rest)));
             }

@@ -18,7 +18,7 @@
 //   3. specular   `add_specular`: r, g, b += specular r, g, b
 //   4. fog        `fog`, with f the alpha of specular, and k the fog_color's channel; r, g, b =
 //                   Nearest255 nearest(f * c + (255 - f) * k)        Floor256 (f * c + (256 - f) * k) >> 8
-//                   TwoFloors (f * c >> 8) + ((255 - f) * k >> 8)
+//                   TwoFloors (f * c >> 8) + ((255 - f) * k >> 8)        Expanded256 (f' * c + (256 - f') * k) >> 8
 //   5. tests      alpha test, destination alpha test, depth test. The fragment is dropped unless "fragment FUNC reference", the
 //                 reference being alpha_reference, or the depth already there; and unless bit 7 of the alpha already there
 //                 is what `dest_alpha_test` asks, before the fragment changes it. A fragment that fails the alpha test
@@ -86,7 +86,7 @@ struct CombineStage {
     Combine color, alpha;
 };
 
-enum class FogRule : std::uint8_t { Nearest255, Floor256, TwoFloors };
+enum class FogRule : std::uint8_t { Nearest255, Floor256, TwoFloors, Expanded256 };
 
 // What a channel is multiplied by: an operand, its alpha in place of the channel if `alpha`, then 255 - x if `invert`.
 // One is {Zero, invert}.

@@ -149,6 +149,10 @@ int fogged(FogRule rule, int f, int c, int k) {
             return (f * c + (256 - f) * k) >> 8;
         case FogRule::TwoFloors:
             return ((f * c) >> 8) + (((255 - f) * k) >> 8);
+        case FogRule::Expanded256: {
+            const int expanded = f + f / 128;
+            return (expanded * c + (256 - expanded) * k) >> 8;
+        }
     }
     return 0;
 }

@@ -196,6 +196,8 @@ raster::FogRule lower(FogRule rule) {
             return raster::FogRule::Floor256;
         case FogRule::GsTwoFloors:
             return raster::FogRule::TwoFloors;
+        case FogRule::FlipperFloor256:
+            return raster::FogRule::Expanded256;
     }
     return raster::FogRule::Nearest255;
 }

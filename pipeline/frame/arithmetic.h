@@ -50,13 +50,15 @@ struct EnumNames<CombineRule> {
 };
 
 // Colour c, fog colour k, factor f (255: no fog):
-//   NEAREST255     (f * c + (255 - f) * k) / 255, rounded to nearest
-//   GS_FLOOR256    (f * c + (256 - f) * k) >> 8
-//   GS_TWO_FLOORS  (f * c >> 8) + ((255 - f) * k >> 8)
-enum class FogRule : std::uint8_t { Nearest255, GsFloor256, GsTwoFloors };
+//   NEAREST255        (f * c + (255 - f) * k) / 255, rounded to nearest
+//   GS_FLOOR256       (f * c + (256 - f) * k) >> 8
+//   GS_TWO_FLOORS     (f * c >> 8) + ((255 - f) * k >> 8)
+//   FLIPPER_FLOOR256  with f' = f + (f >> 7), 0..256: (f' * c + (256 - f') * k) >> 8
+enum class FogRule : std::uint8_t { Nearest255, GsFloor256, GsTwoFloors, FlipperFloor256 };
 template <>
 struct EnumNames<FogRule> {
-    static constexpr std::array<std::string_view, 3> names{"NEAREST255", "GS_FLOOR256", "GS_TWO_FLOORS"};
+    static constexpr std::array<std::string_view, 4> names{"NEAREST255", "GS_FLOOR256", "GS_TWO_FLOORS",
+                                                           "FLIPPER_FLOOR256"};
 };
 
 // What blend_state.h's states compute:

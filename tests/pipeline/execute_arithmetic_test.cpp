@@ -190,9 +190,10 @@ TEST_CASE("each fog rule", "[execute]") {
         FogRule rule;
         std::uint32_t expected;
     } rows[] = {
-        {FogRule::Nearest255, 130},   // (77 * 200 + 178 * 100) / 255 = 130.2
-        {FogRule::GsFloor256, 130},   // (77 * 200 + 179 * 100) / 256 = 130.1
-        {FogRule::GsTwoFloors, 129},  // 60 and 69
+        {FogRule::Nearest255, 130},       // (77 * 200 + 178 * 100) / 255 = 130.2
+        {FogRule::GsFloor256, 130},       // (77 * 200 + 179 * 100) / 256 = 130.1
+        {FogRule::GsTwoFloors, 129},      // 60 and 69
+        {FogRule::FlipperFloor256, 130},  // 77 is below 128: as GS_FLOOR256
     };
     for (const Row& row : rows) {
         INFO(enum_name(row.rule));
@@ -216,6 +217,7 @@ TEST_CASE("each fog rule", "[execute]") {
     CHECK(unfogged(FogRule::GsFloor256, 200) == 128);  // (255 * 128 + 200) / 256 = 128.3
     CHECK(unfogged(FogRule::GsFloor256, 100) == 127);  // (255 * 128 + 100) / 256 = 127.9
     CHECK(unfogged(FogRule::GsTwoFloors, 200) == 127);
+    CHECK(unfogged(FogRule::FlipperFloor256, 100) == 128);
 }
 
 TEST_CASE("each blend rule", "[execute]") {

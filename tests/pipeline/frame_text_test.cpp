@@ -286,7 +286,7 @@ TEST_CASE("errors of the text say where and why") {
         {"nimbus7 frame", "1:14: expected an integer from 0 to 2147483647, got the end of the text"},
         {"nimbus7 frame 1\n}", "2:1: expected a field of the frame, got '}'"},
         {"nimbus7 frame 1\noutput none trailing",
-         "2:13: unknown field 'trailing' in the frame; there are output, targets, cameras, passes, textures, vertices, "
+         "2:13: unknown field 'trailing' in the frame; there are output, arithmetic, targets, cameras, passes, textures, vertices, "
          "indices"},
         {"nimbus7 frame 1\npasses [ {} { state {\n  blnd {} } } ]",
          "3:3: unknown field 'blnd' in passes[1].state; there are blend, gs_blend, dither, color_mask, "

@@ -1,132 +1,291 @@
 // SPDX-License-Identifier: MIT
-// The texture stage, specular and fog kernels against their rules in exact integers, for every pair of bytes, on every
-// instruction set.
+// Texture stages, specular and fog against their rules in exact integers: every pair of bytes for operations on two,
+// every triple for those on three. Kernels of all instruction sets, and on every 61st batch the scalar reference.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstdint>
+#include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "raster/combine_blocks.h"
-#include "tests/support/simd_targets.h"
+#include "raster/reference_color.h"
+#include "tests/raster/exact.h"
+#include "tests/raster/simd_kernels.h"
 
 namespace {
 
 using namespace raster;
+using exact::floor_quotient;
+using exact::nearest_255th;
+using exact::Pixel;
+using simd_kernels::kLanes;
+using Source = CombineArg::Source;
 
-constexpr int kLanes = kBatchBlocks * kBlockWidth;
-static_assert(kLanes == 256, "one batch holds all values of a byte");
+constexpr CombineArg kTexel{.source = Source::Texel}, kDiffuse{.source = Source::Diffuse},
+    kConstant{.source = Source::Constant};
 
-int nearest255(int v) {
-    return (2 * v + 255) / 510;
-}
-
-int expected(CombineOp op, int a, int b) {
-    switch (op) {
-        case CombineOp::Select:
-            return a;
-        case CombineOp::Modulate:
-            return nearest255(a * b);
-        case CombineOp::Modulate2X:
-            return std::min(255, nearest255(2 * a * b));
-        case CombineOp::Modulate4X:
-            return std::min(255, nearest255(4 * a * b));
-        case CombineOp::Add:
-            return std::min(255, a + b);
-        case CombineOp::AddSigned:
-            return std::clamp(a + b - 127, 0, 255);
-        case CombineOp::AddSigned2X:
-            return std::clamp(2 * a + 2 * b - 255, 0, 255);
-        case CombineOp::Subtract:
-            return std::max(0, a - b);
+// The products of a rule: k * a * b and a mix of a and b, and what AddSigned takes off.
+struct Products {
+    int (*product)(int k, int a, int b);
+    int (*lerp)(int a, int b, int c);
+    int half, one;
+};
+Products products_of(CombineRule rule) {
+    switch (rule) {
+        case CombineRule::Nearest255:
+            return {[](int k, int a, int b) { return nearest_255th(k * a * b); },
+                    [](int a, int b, int c) { return nearest_255th(a * c + b * (255 - c)); }, 127, 255};
+        case CombineRule::Tev:
+            return {[](int k, int a, int b) { return floor_quotient(k * a * exact::to_256(b) + 128, 256); },
+                    [](int a, int b, int c) {
+                        const int f = exact::to_256(c);
+                        return floor_quotient(a * f + b * (256 - f) + 128, 256);
+                    },
+                    128, 256};
+        case CombineRule::Shift7:
+            break;
     }
-    return -1;
+    return {[](int, int a, int b) { return floor_quotient(a * b, 128); }, nullptr, 0, 0};
 }
 
-std::uint32_t argb(int a, int r, int g, int b) {
-    return static_cast<std::uint32_t>(a) << 24 | static_cast<std::uint32_t>(r << 16 | g << 8 | b);
+int combined(CombineOp op, const Products& rule, int a, int b, int c) {
+    const auto value = [&] {
+        switch (op) {
+            case CombineOp::Select:
+                return a;
+            case CombineOp::Modulate:
+                return rule.product(1, a, b);
+            case CombineOp::Modulate2X:
+                return rule.product(2, a, b);
+            case CombineOp::Modulate4X:
+                return rule.product(4, a, b);
+            case CombineOp::Add:
+                return a + b;
+            case CombineOp::AddSigned:
+                return a + b - rule.half;
+            case CombineOp::AddSigned2X:
+                return 2 * a + 2 * b - rule.one;
+            case CombineOp::Subtract:
+                return a - b;
+            case CombineOp::Lerp:
+                return rule.lerp(a, b, c);
+            case CombineOp::MultiplyAdd:
+                return rule.product(1, a, b) + c;
+        }
+        return -1;
+    };
+    return std::clamp(value(), 0, 255);
 }
 
-// Lane i: the texel has i in red and alpha, 255 - i in green and blue.
-std::unique_ptr<FragmentBatch> batch_of_all_bytes() {
-    auto batch   = std::make_unique<FragmentBatch>();
-    batch->count = kBatchBlocks;
-    for (int i = 0; i < kLanes; ++i) batch->texel[0].lanes[i] = argb(i, i, 255 - i, 255 - i);
-    return batch;
+bool is_ternary(CombineOp op) {
+    return op == CombineOp::Lerp || op == CombineOp::MultiplyAdd;
 }
 
-// How many lanes of `got` are not what `want` says.
-template <class Want>
-int count_wrong(const BlockRows<std::uint32_t>& got, Want&& want) {
-    int wrong = 0;
-    for (int i = 0; i < kLanes; ++i) wrong += got.lanes[i] != want(i);
-    return wrong;
+std::vector<CombineOp> ops_of(CombineRule rule) {
+    if (rule == CombineRule::Shift7)
+        return {CombineOp::Select, CombineOp::Modulate, CombineOp::Add, CombineOp::MultiplyAdd};
+    std::vector<CombineOp> all;
+    for (int op = 0; op <= static_cast<int>(CombineOp::MultiplyAdd); ++op) all.push_back(static_cast<CombineOp>(op));
+    return all;
+}
+
+// A batch in which texel and colour of the lanes are all values of a byte, in each channel in its own order.
+class Bench {
+  public:
+    Bench() {
+        batch->count = kBatchBlocks;
+        for (int i = 0; i < kLanes; ++i) {
+            Pixel p;
+            for (int channel = 0; channel < 4; ++channel) p.c[channel] = exact::shuffled(channel, i);
+            batch->texel[0].lanes[i] = p.argb();
+        }
+    }
+    static void fill(BlockRows<std::uint32_t>& rows, const Pixel& p) { std::fill_n(rows.lanes, kLanes, p.argb()); }
+
+    // want(channel, x): of the value x of that channel.
+    template <class Want>
+    void want_channels(Want&& want) {
+        std::array<std::array<int, 256>, 4> rows{};
+        for (int channel = 0; channel < 4; ++channel)
+            for (int x = 0; x < 256; ++x) rows[channel][x] = want(channel, x);
+        for (int i = 0; i < kLanes; ++i) {
+            const Pixel x = Pixel::of(batch->texel[0].lanes[i]);
+            wanted_[i]    = Pixel{{rows[0][x.c[0]], rows[1][x.c[1]], rows[2][x.c[2]], rows[3][x.c[3]]}}.argb();
+        }
+    }
+
+    // run(kernels) leaves in batch->color what is wanted; state says so to the reference.
+    template <class Run>
+    void check(const FillState& state, Run&& run) {
+        for (const auto& [name, kernels, fallback] : targets_) {
+            std::copy_n(batch->texel[0].lanes, kLanes, batch->color.lanes);
+            run(kernels);
+            if (!std::equal(wanted_.begin(), wanted_.end(), batch->color.lanes))
+                for (int i = 0; i < kLanes; ++i) check_lane(name, state, i, batch->color.lanes[i]);
+        }
+        if (batches_++ % 61 == 0)
+            for (int i = 0; i < kLanes; ++i) {
+                const bool staged = state.stage_count > 0;  // else its colour is what the kernels start from
+                check_lane("reference", state, i,
+                           reference::combined_color(
+                               state, {.diffuse  = staged ? batch->diffuse.lanes[i] : batch->texel[0].lanes[i],
+                                       .specular = batch->specular.lanes[i],
+                                       .texels   = {batch->texel[0].lanes[i]}}));
+            }
+    }
+
+    std::size_t batches() const { return batches_; }
+    std::uint32_t* wanted() { return wanted_.data(); }
+
+    std::unique_ptr<FragmentBatch> batch = std::make_unique<FragmentBatch>();
+
+  private:
+    void check_lane(const std::string& name, const FillState& state, int i, std::uint32_t got) {
+        if (got == wanted_[i]) return;
+        const auto hex = [](std::uint32_t argb) {
+            std::array<char, 12> text{};
+            std::snprintf(text.data(), text.size(), "%08x", argb);
+            return std::string(text.data());
+        };
+        FAIL(name << ": colour op " << static_cast<int>(state.stages[0].color.op) << ", alpha op "
+                  << static_cast<int>(state.stages[0].alpha.op) << ", rule " << static_cast<int>(state.combine_rule)
+                  << ", fog rule " << static_cast<int>(state.fog_rule) << ", fog colour " << hex(state.fog_color)
+                  << ": texel or colour " << hex(batch->texel[0].lanes[i]) << " diffuse "
+                  << hex(batch->diffuse.lanes[i]) << " constant " << hex(state.constant) << " specular "
+                  << hex(batch->specular.lanes[i]) << ": got " << hex(got) << " want " << hex(wanted_[i]));
+    }
+
+    std::vector<simd_kernels::Named<CombineKernels>> targets_ = simd_kernels::on_every_target(combine_kernels);
+    std::array<std::uint32_t, kLanes> wanted_{};
+    std::size_t batches_ = 0;
+};
+
+// All texels a with these b and c.
+void check_stage(Bench& bench, CombineRule rule, CombineOp color, CombineOp alpha, const Pixel& b, const Pixel& c) {
+    FillState state;
+    state.stage_count  = 1;
+    state.stages[0]    = {{color, kTexel, kDiffuse, kConstant}, {alpha, kTexel, kDiffuse, kConstant}};
+    state.combine_rule = rule;
+    state.constant     = c.argb();
+    Bench::fill(bench.batch->diffuse, b);
+    const Products products = products_of(rule);
+    bench.want_channels([&](int channel, int a) {
+        return combined(channel == 3 ? alpha : color, products, a, b.c[channel], c.c[channel]);
+    });
+    bench.check(state, [&](const CombineKernels& kernels) {
+        kernels.stage(state.stages[0], rule, 0, state.constant, *bench.batch);
+    });
+}
+
+void check_operations(CombineRule rule) {
+    Bench bench;
+    for (const CombineOp op : ops_of(rule))
+        for (const int x : simd_kernels::swept_bytes()) {
+            const Pixel b{{x, (x + 64) & 255, (x + 128) & 255, (x + 192) & 255}};
+            for (int c = 0; c < (is_ternary(op) ? 256 : 4);
+                 c += 4 * simd_kernels::kStride)  // four values of c in the four channels
+                check_stage(bench, rule, op, op, b, {{c, c + 1, c + 2, c + 3}});
+        }
+    CHECK(bench.batches() >= ops_of(rule).size() * simd_kernels::kEdges.size());
 }
 
 }  // namespace
 
-TEST_CASE("every combine operation is exact for every pair of bytes, in colour and in alpha", "[raster][exhaustive]") {
-    const CombineArg texel{.source = CombineArg::Source::Texel}, diffuse{.source = CombineArg::Source::Diffuse};
-    test_support::for_each_simd_target([&] {
-        const auto batch = batch_of_all_bytes();
-        for (int color_op = 0; color_op < 8; ++color_op)
-            for (const int alpha_op : {color_op, 7 - color_op}) {  // the same, and another
-                const CombineStage stage{.color = {static_cast<CombineOp>(color_op), texel, diffuse},
-                                         .alpha = {static_cast<CombineOp>(alpha_op), texel, diffuse}};
-                for (int b = 0; b < 256; ++b) {
-                    std::fill_n(batch->diffuse.lanes, kLanes, argb(b, b, b, 255 - b));
-                    combine_kernels().stage(stage, 0, 0, *batch);
-                    const auto color = [&](int x, int y) { return expected(stage.color.op, x, y); };
-                    CHECK(count_wrong(batch->color, [&](int i) {
-                              return argb(expected(stage.alpha.op, i, b), color(i, b), color(255 - i, b),
-                                          color(255 - i, 255 - b));
-                          }) == 0);
-                }
-            }
-    });
+TEST_CASE("Nearest255: every operation of a stage is exact", "[raster][exhaustive]") {
+    check_operations(CombineRule::Nearest255);
+}
+
+TEST_CASE("Tev: every operation of a stage is exact", "[raster][exhaustive]") {
+    check_operations(CombineRule::Tev);
+}
+
+TEST_CASE("Shift7: every operation of a stage is exact", "[raster][exhaustive]") {
+    check_operations(CombineRule::Shift7);
+}
+
+TEST_CASE("alpha has its own operation in a stage", "[raster]") {
+    Bench bench;
+    for (const CombineRule rule : {CombineRule::Nearest255, CombineRule::Tev, CombineRule::Shift7})
+        for (const CombineOp color : ops_of(rule))
+            for (const CombineOp alpha : ops_of(rule))
+                for (const int x : simd_kernels::kEdges)
+                    check_stage(bench, rule, color, alpha, {{x, 255 - x, 77, x}}, {{200, x, 3, 255 - x}});
 }
 
 TEST_CASE("complement and alpha replicate change what an operation reads", "[raster]") {
-    test_support::for_each_simd_target([&] {
-        const auto batch = batch_of_all_bytes();
-        std::fill_n(batch->diffuse.lanes, kLanes, argb(10, 20, 30, 40));
-        std::fill_n(batch->specular.lanes, kLanes, argb(1, 2, 3, 4));
-        const auto read = [&](CombineArg arg) {
-            const Combine select{CombineOp::Select, arg, arg};
-            combine_kernels().stage({select, select}, 0, 0xa0b0c0d0, *batch);
-        };
-        using Source = CombineArg::Source;
-        read({Source::Texel, true, false});
-        CHECK(count_wrong(batch->color, [](int i) { return argb(255 - i, 255 - i, i, i); }) == 0);
-        read({Source::Texel, false, true});
-        CHECK(count_wrong(batch->color, [](int i) { return argb(i, i, i, i); }) == 0);
-        read({Source::Texel, true, true});
-        CHECK(count_wrong(batch->color, [](int i) { return argb(255 - i, 255 - i, 255 - i, 255 - i); }) == 0);
-        read({Source::Current, false, false});  // diffuse, in stage 0
-        CHECK(count_wrong(batch->color, [](int) { return argb(10, 20, 30, 40); }) == 0);
-        read({Source::Constant, false, false});
-        CHECK(count_wrong(batch->color, [](int) { return 0xa0b0c0d0u; }) == 0);
-        read({Source::Specular, false, false});  // its alpha is the fog factor, and reads as 255
-        CHECK(count_wrong(batch->color, [](int) { return argb(255, 2, 3, 4); }) == 0);
+    Bench bench;
+    bench.fill(bench.batch->diffuse, {{40, 30, 20, 10}});
+    bench.fill(bench.batch->specular, {{4, 3, 2, 1}});
+    const auto read = [&](CombineArg arg, auto want) {
+        FillState state;
+        state.stage_count = 1;
+        state.constant    = 0xa0b0c0d0;
+        state.stages[0]   = {{CombineOp::Select, arg, arg, arg}, {CombineOp::Select, arg, arg, arg}};
+        for (int i = 0; i < kLanes; ++i) bench.wanted()[i] = want(Pixel::of(bench.batch->texel[0].lanes[i])).argb();
+        bench.check(state, [&](const CombineKernels& kernels) {
+            kernels.stage(state.stages[0], CombineRule::Nearest255, 0, state.constant, *bench.batch);
+        });
+    };
+    const auto not_of = [](int x) { return 255 - x; };
+    read({Source::Texel, true, false}, [&](const Pixel& t) {
+        return Pixel{{not_of(t.c[0]), not_of(t.c[1]), not_of(t.c[2]), not_of(t.c[3])}};
     });
+    read({Source::Texel, false, true}, [](const Pixel& t) { return Pixel{{t.c[3], t.c[3], t.c[3], t.c[3]}}; });
+    read({Source::Texel, true, true}, [&](const Pixel& t) {
+        const int x = not_of(t.c[3]);
+        return Pixel{{x, x, x, x}};
+    });
+    read({Source::Current}, [](const Pixel&) { return Pixel{{40, 30, 20, 10}}; });  // diffuse, in stage 0
+    read({Source::Diffuse}, [](const Pixel&) { return Pixel{{40, 30, 20, 10}}; });
+    read({Source::Constant}, [](const Pixel&) { return Pixel::of(0xa0b0c0d0); });
+    read({Source::Specular}, [](const Pixel&) { return Pixel{{4, 3, 2, 255}}; });  // its alpha is the fog factor
 }
 
-TEST_CASE("specular and fog are exact for every pair of bytes and leave alpha alone", "[raster][exhaustive]") {
-    test_support::for_each_simd_target([&] {
-        const auto batch = batch_of_all_bytes();
-        for (int b = 0; b < 256; ++b) {
-            const auto restart = [&] { std::copy_n(batch->texel[0].lanes, kLanes, batch->color.lanes); };
-            std::fill_n(batch->specular.lanes, kLanes, argb(b, b, 255 - b, b));
-            restart();
-            combine_kernels().add_specular(*batch);
-            CHECK(count_wrong(batch->color, [&](int i) {
-                      return argb(i, std::min(255, i + b), std::min(255, 255 - i + 255 - b),
-                                  std::min(255, 255 - i + b));
-                  }) == 0);
-            restart();
-            combine_kernels().fog(argb(99, 200, 0, 255), *batch);
-            const auto mix = [&](int color, int fog) { return nearest255(b * color + (255 - b) * fog); };
-            CHECK(count_wrong(batch->color,
-                              [&](int i) { return argb(i, mix(i, 200), mix(255 - i, 0), mix(255 - i, 255)); }) == 0);
+TEST_CASE("specular is added to every byte and leaves alpha alone", "[raster][exhaustive]") {
+    Bench bench;
+    FillState state;
+    state.add_specular = true;
+    for (int x = 0; x < 256; ++x) {
+        const Pixel specular{{x, 255 - x, (x + 128) & 255, x}};
+        Bench::fill(bench.batch->specular, specular);
+        bench.want_channels(
+            [&](int channel, int color) { return channel == 3 ? color : std::min(255, color + specular.c[channel]); });
+        bench.check(state, [&](const CombineKernels& kernels) { kernels.add_specular(*bench.batch); });
+    }
+}
+
+TEST_CASE("fog is exact for every factor, colour and fog colour and leaves alpha alone", "[raster][exhaustive]") {
+    struct Rule {
+        FogRule rule;
+        int (*mix)(int f, int c, int k);
+    };
+    static constexpr std::array<Rule, 4> kRules{
+        {{FogRule::Nearest255, [](int f, int c, int k) { return nearest_255th(f * c + (255 - f) * k); }},
+         {FogRule::Floor256, [](int f, int c, int k) { return floor_quotient(f * c + (256 - f) * k, 256); }},
+         {FogRule::TwoFloors,
+          [](int f, int c, int k) { return floor_quotient(f * c, 256) + floor_quotient((255 - f) * k, 256); }},
+         {FogRule::Expanded256, [](int f, int c, int k) {
+              const int expanded = f < 128 ? f : f + 1;
+              return floor_quotient(expanded * c + (256 - expanded) * k, 256);
+          }}}};
+    Bench bench;
+    FillState state;
+    state.fog = true;
+    for (const auto& [rule, mix] : kRules)
+        for (const int f : simd_kernels::swept_bytes()) {
+            Bench::fill(bench.batch->specular, {{1, 2, 3, f}});
+            for (int k = 0; k < 256; k += 3 * simd_kernels::kStride) {  // three fog colours in the three channels
+                const Pixel fog{{k, (k + 1) & 255, (k + 2) & 255, 99}};
+                state.fog_rule  = rule;
+                state.fog_color = fog.argb();
+                bench.want_channels(
+                    [&, m = mix](int channel, int c) { return channel == 3 ? c : m(f, c, fog.c[channel]); });
+                bench.check(state, [&](const CombineKernels& kernels) {
+                    kernels.fog(state.fog_rule, state.fog_color, *bench.batch);
+                });
+            }
         }
-    });
 }

@@ -260,14 +260,14 @@ TEST_CASE("Combine operations of each rule, with known answers", "[reference]") 
 
 TEST_CASE("Fog of each rule, with known answers", "[reference]") {
     struct Row {
-        int fog, color, fog_color, nearest255, floor256, two_floors;
+        int fog, color, fog_color, nearest255, floor256, two_floors, expanded256;
     };
     const std::array<Row, 5> rows = {{
-        {128, 201, 100, 151, 150, 149},  // 150.7; 38528 of 256, 150.5; 100.5 and 49.6
-        {255, 200, 100, 200, 199, 199},  // 200; 51100, 199.6; 199.2
-        {255, 128, 128, 128, 128, 127},  // 128; 128; 127.5
-        {0, 200, 100, 100, 100, 99},     // 100; 100; 99.6
-        {64, 255, 0, 64, 63, 63},        // 64; 63.75
+        {128, 201, 100, 151, 150, 149, 150},  // 150.7; 38528 of 256, 150.5; 100.5 and 49.6; 38629, 150.9
+        {255, 200, 100, 200, 199, 199, 200},  // 200; 51100, 199.6; 199.2; 200
+        {255, 128, 128, 128, 128, 127, 128},  // 128; 128; 127.5; 128
+        {0, 200, 100, 100, 100, 99, 100},     // 100; 100; 99.6; 100
+        {64, 255, 0, 64, 63, 63, 63},         // 64; 63.75
     }};
     for (const Row& row : rows) {
         const auto drawn = [&](FogRule rule) {
@@ -287,6 +287,7 @@ TEST_CASE("Fog of each rule, with known answers", "[reference]") {
         CHECK(drawn(FogRule::Nearest255) == (grey(row.nearest255) & 0xffffff));
         CHECK(drawn(FogRule::Floor256) == (grey(row.floor256) & 0xffffff));
         CHECK(drawn(FogRule::TwoFloors) == (grey(row.two_floors) & 0xffffff));
+        CHECK(drawn(FogRule::Expanded256) == (grey(row.expanded256) & 0xffffff));
     }
 }
 

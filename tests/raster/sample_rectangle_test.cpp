@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blits against the reference: the steps for which texels come from contiguous loads, those next to them, and those at
-// which coordinates wrap within a block.
+// Blits against the reference: the steps for which texels come from contiguous loads, those next to them, and those
+// at which coordinates wrap within a block.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -58,12 +58,15 @@ TEST_CASE("blits at any step are those of the reference", "[raster][agreement]")
                                                       : random.real(-2.0f, static_cast<float>(texture_width));
                 Draw draw;
                 draw.state.stage_count     = 1;
-                draw.state.stages[0].color = {CombineOp::Select, {.source = CombineArg::Source::Texel}, {}};
+                draw.state.stages[0].color = {CombineOp::Select, {.source = CombineArg::Source::Texel}, {}, {}};
                 draw.state.stages[0].alpha = draw.state.stages[0].color;
-                draw.state.samplers[0]     = {.levels    = {{texels.data(), texture_width, texture_height, texture_width}},
-                                              .linear    = round % 2 == 0,
-                                              .address_u = Address::Clamp,
-                                              .address_v = Address::Clamp};
+                draw.state.samplers[0]     = {
+                        .levels    = {{texels.data(), texture_width, texture_height, texture_width}},
+                        .linear    = round % 4 != 3,
+                        .rule      = random.one_of({FilterRule::Single8, FilterRule::Single8, FilterRule::Single4,
+                                                    FilterRule::Single7, FilterRule::Cascade8, FilterRule::Cascade4}),
+                        .address_u = Address::Clamp,
+                        .address_v = Address::Clamp};
                 draw.rectangles = {blit(random.chance(50) ? 0.0f : static_cast<float>(random.from(0, 9)), width, 5,
                                         from, step, texture_width)};
                 Image wanted(80, 5);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The GameCube's Flipper. Dolphin is github.com/dolphin-emu/dolphin, with its numbered pull requests; hwtests is
+// github.com/dolphin-emu/hwtests, programs for the console; libogc is github.com/devkitPro/libogc.
+#include "pipeline/profile/tables.h"
+
+namespace pipeline {
+
+Profile make_gamecube() {
+    using enum TargetFormat;
+    return {
+        .name          = "gamecube",
+        .chip          = "ATI / ArtX Flipper (Nintendo GameCube)",
+        .arithmetic    = {.snap         = SnapRule::Nearest,
+                          .pixel_center = 9,
+                          .gouraud      = GouraudRule::Nearest,
+                          .filter       = FilterRule::FlipperFloor7,
+                          .combine      = CombineRule::Tev,
+                          .fog          = FogRule::FlipperFloor256,
+                          .blend        = BlendRule::FlipperTrunc256,
+                          .blend_source = BlendSource::Bytes},
+        // RGBA6_Z24, RGB8_Z24; and RGBA8 textures, which copies write.
+        .color_formats = {R6G6B6A6, X8R8G8B8, A8R8G8B8},
+        .depth_formats = {D24},
+        .depth_funcs   = all_compare_funcs(),
+        .alpha_funcs   = all_compare_funcs(),
+        .evidence =
+            {
+                {"snap", "Dolphin, VideoBackends/Software/Rasterizer.cpp: 28.4 coordinates, rounded", Grade::Emulators,
+                 "Ties go to even here and away from zero in Dolphin"},
+                {"pixel_center",
+                 "Dolphin, VideoBackends/Software/Rasterizer.cpp: 9/16 pixel, for which hwtests, "
+                 "gxtest/rasterization.cpp, measures a border between 0.58329772949 and 0.58332824707 pixel",
+                 Grade::Emulators,
+                 "Coordinates rounded to 1/16 put that border at 9.5/16 = 0.59375, not at the console's 7/12"},
+                {"gouraud", "chosen: to nearest", Grade::Chosen,
+                 "No source. Dolphin evaluates colours at +0.495 pixel, in floats"},
+                {"filter",
+                 "Dolphin, VideoBackends/Software/TextureSampler.cpp: weights of 7 bits, one sum, >> 14; two mip "
+                 "levels with 4 bits, >> 4",
+                 Grade::Emulators, "Not compared with a console"},
+                {"combine",
+                 "hwtests, gxtest/tev.cpp, random inputs on the console; Dolphin, VideoBackends/Software/Tev.cpp, "
+                 "pull request 277",
+                 Grade::Measured,
+                 "Measured for one stage's colour with d = 0. The argument that goes to input c, and so is expanded "
+                 "to 0..256, is the second"},
+                {"fog", "Dolphin, VideoBackends/Software/Tev.cpp: (c * (256 - F) + k * F) >> 8 with F 0..256",
+                 Grade::Emulators, "The console computes its factor per pixel from depth; here it is one per vertex"},
+                {"blend",
+                 "Dolphin, VideoBackends/Software/SWEfbInterface.cpp, BlendColor; three games depend on the "
+                 "truncation (pull requests 10394, 11389)",
+                 Grade::Emulators, "hwtests has no program for blending"},
+                {"blend_source",
+                 "Dolphin, VideoBackends/Software/SWEfbInterface.cpp: the blender sees 8 bits; dither and "
+                 "quantisation follow",
+                 Grade::Emulators, ""},
+                {"store",
+                 "6 bits read back by repeating bits: hwtests, gxtest/copyfilter.cpp, on the console; a store keeps "
+                 "the top 6: Dolphin, SWEfbInterface.cpp",
+                 Grade::Emulators, "That the store truncates was not measured"},
+                {"dither",
+                 "Dolphin, SWEfbInterface.cpp, pull requests 3742 and 4194: {0, 2; 3, 1}, red, green and blue only",
+                 Grade::Chosen, "libogc's documentation speaks of a 4x4 Bayer matrix; no hardware check is known"},
+                {"alpha_test",
+                 "Dolphin, Tev.cpp and libogc's GX_SetAlphaCompare: 8 functions, on the 8 bits of the TEV",
+                 Grade::Emulators, "The console joins two comparisons; a frame has one"},
+                {"depth", "libogc's GX_SetZMode and Dolphin, SWEfbInterface.cpp: 24 bits, 8 functions, new FUNC stored",
+                 Grade::Emulators, "Depth of 16 bits exists with anti-aliasing alone and is not modelled"},
+                {"copy",
+                 "Dolphin as of libretro/dolphin, VideoBackends/Software/TextureEncoder.cpp: four 6 bit values S to S "
+                 "+ (S >> 6), four bytes to S >> 2; alpha of RGB8_Z24 copies as 255: hwtests, gxtest/copyfilter.cpp",
+                 Grade::Emulators, "The halving was not compared with a console"},
+            },
+    };
+}
+
+}  // namespace pipeline

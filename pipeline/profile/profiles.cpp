@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+
+#include "pipeline/profile/tables.h"
+
+namespace pipeline {
+
+std::span<const Profile> profiles() {
+    static const std::array<Profile, 5> all{make_ideal(), make_dx7(), make_ps2(), make_gamecube(), make_xbox()};
+    return all;
+}
+
+const Profile* find_profile(std::string_view name) {
+    const auto all   = profiles();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Profile& one) { return one.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace pipeline

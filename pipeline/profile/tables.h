@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The chips' tables, one file each.
+#pragma once
+
+#include "pipeline/profile/profile.h"
+
+namespace pipeline {
+
+Profile make_ideal();
+Profile make_dx7();
+Profile make_ps2();
+Profile make_gamecube();
+Profile make_xbox();
+
+inline std::vector<CompareFunc> all_compare_funcs() {
+    using enum CompareFunc;
+    return {Always, LessEqual, Less, GreaterEqual, Greater, Equal, NotEqual, Never};
+}
+
+}  // namespace pipeline

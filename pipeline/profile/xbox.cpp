@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The Xbox's NV2A. "Captures" are those of a console in github.com/abaire/nxdk_pgraph_tests_golden_results, made by
+// github.com/abaire/nxdk_pgraph_tests; formulas were fitted to them. xemu is github.com/xemu-project/xemu.
+#include "pipeline/profile/tables.h"
+
+namespace pipeline {
+
+Profile make_xbox() {
+    using enum TargetFormat;
+    return {
+        .name          = "xbox",
+        .chip          = "NVIDIA NV2A (Microsoft Xbox)",
+        .arithmetic    = {.snap         = SnapRule::Truncate,
+                          .pixel_center = 8,
+                          .gouraud      = GouraudRule::Nearest,
+                          .filter       = FilterRule::Nv2aHalfUp8,
+                          .combine      = CombineRule::Nearest255,
+                          .fog          = FogRule::Nearest255,
+                          .blend        = BlendRule::Nearest255,
+                          .blend_source = BlendSource::TargetBits},
+        .color_formats = {A8R8G8B8, X8R8G8B8, R5G6B5},
+        .depth_formats = {D16, D24},
+        .depth_funcs   = all_compare_funcs(),
+        .alpha_funcs   = all_compare_funcs(),
+        .evidence =
+            {
+                {"snap", "xemu, pull request 2183, measured on a console: toward zero, to 1/16 pixel", Grade::Measured,
+                 "Pull requests 735 and 1362 describe the same as a threshold of 0.5625 pixel"},
+                {"pixel_center", "captures of Texture_LOD_Bias: samples at the middle of pixels", Grade::Fitted,
+                 "Xbox Direct3D 8 adds 0.53125 to the viewport, and so has centres at integers, rounded "
+                 "(abaire/pbkitplusplus)"},
+                {"gouraud", "chosen: to nearest", Grade::Chosen,
+                 "Two points are known: 0.1 and 0.7 are stored as 25 and 178, that is cut, or ties down"},
+                {"filter",
+                 "captures of Texture_LOD_Bias, 75264 of 75264 samples: along u, rounded half up, then along v, then "
+                 "between mip levels",
+                 Grade::Fitted, "Fractions were multiples of 1/16; how many bits the chip keeps is not known"},
+                {"combine", "chosen: one rounding of the exact result, to nearest", Grade::Chosen,
+                 "The register combiners are signed 9 bit numbers by the OpenGL extension; xboxdevwiki.net says the "
+                 "chip's own are untested"},
+                {"fog", "chosen: one rounding of the exact result, to nearest", Grade::Chosen,
+                 "No source: the final combiner does it, see combine"},
+                {"blend",
+                 "captures of Blend_tests, 4004 of 4004 samples of 11 pairs of factors; gradients, 4176 of 4176 each "
+                 "for SRCALPHA/INVSRCALPHA and SRCALPHA/DESTALPHA: the exact sum, rounded once",
+                 Grade::Fitted, "One console; no test with every pair of bytes"},
+                {"blend_source",
+                 "captures of Blend_surface, R5G6B5, 4176 of 4176 samples: red, green and blue are cut, with zeros "
+                 "below",
+                 Grade::Fitted, "Other 16 bit formats were not captured"},
+                {"store", "captures of Blend_surface: R5G6B5 truncates; X8R8G8B8 and R5G6B5 read alpha as one",
+                 Grade::Fitted,
+                 "That the blender expands what R5G6B5 holds by repeating bits is chosen. Dithering is not modelled: "
+                 "no capture has it"},
+                {"alpha_test", "Direct3D 8's D3DCMPFUNC: 8 functions, 8 bits of reference", Grade::Document, ""},
+                {"depth", "xemu, hw/xbox/nv2a/pgraph/glsl/psh.c: fixed depth is floored, by a test on a console",
+                 Grade::Measured, "Float depth and the w buffer are not modelled"},
+                {"copy", "xemu, hw/xbox/nv2a/pgraph/gl/blit.c, class NV09F, SRCCOPY: 1:1, nothing is halved",
+                 Grade::Emulators, "Alpha of X8R8G8B8 is forced to 0 or 255 there"},
+            },
+    };
+}
+
+}  // namespace pipeline

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Two pictures of the same pass. They agree at a pixel if every channel is as near as the roundings allow
+// (rounding.h), with what perspective changes there (pass_geometry.h). The others must be *edge pixels*, of which
+// there are two kinds:
+// - Our own picture changes there when the drawing is moved by a subpixel, and the peer's value lies within that.
+//   Channel by channel, least - allowed <= peer <= greatest + allowed, over our pictures with all geometry moved by
+//   up to 1/16 pixel along each axis, in steps of 1/32, and the alpha test's reference by as much as alpha may
+//   differ. Why that is enough: our vertices are moved by snapping at most 1/32 pixel along each axis, OpenGL's by
+//   1/512, so the surface is displaced by no more than that at any point of a triangle; what may have passed over the
+//   centre of the pixel (an edge, the line where two surfaces meet, a texel) does pass over it under one of the
+//   nudges.
+// - Some triangle is there thinner than what snapping moves its vertices by (pass_geometry.h), so that it may be seen
+//   in one picture only, and nudges of the whole do not show it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "pipeline/execute/execute.h"
+
+namespace peers {
+
+// Channel by channel over several pictures.
+class Envelope {
+  public:
+    explicit Envelope(const pipeline::ColorImage& picture) : least_(picture.pixels), greatest_(picture.pixels) {}
+    void include(const pipeline::ColorImage& picture);
+
+    bool changes(std::size_t pixel) const { return least_[pixel] != greatest_[pixel]; }
+    bool contains(std::size_t pixel, std::uint32_t value, int tolerance) const;
+
+  private:
+    std::vector<std::uint32_t> least_, greatest_;  // 0xAARRGGBB
+};
+
+// What a comparison asks for, if pixels differ. In units of 255.
+struct Limits {
+    std::function<std::vector<int>()> by_rounding;      // for each pixel
+    std::function<int(int x, int y)> with_perspective;  // at least by_rounding
+    std::function<Envelope()> envelope;
+    std::function<bool(int x, int y)> is_sliver;
+};
+
+struct Difference {
+    int x = 0, y = 0;
+    std::uint32_t ours = 0, peers = 0;
+    int units = 0;  // of the channel that differs most
+};
+
+struct Comparison {
+    std::uint64_t pixels    = 0;
+    std::uint64_t differing = 0;
+    std::uint64_t edge      = 0;  // beyond what is allowed, but an edge pixel
+    std::uint64_t failed    = 0;  // beyond what is allowed, and no edge pixel
+    Difference worst;             // of the pixels that are no edge pixels, failed ones first
+    double sum = 0.0;             // of peer - ours over all channels but those of edge pixels
+
+    double mean() const;  // of peer - ours, in units
+    void add(const Comparison& other);
+};
+
+// Of two pictures of the same size.
+Comparison compare(const pipeline::ColorImage& ours, const pipeline::ColorImage& peers, const Limits& limits);
+
+}  // namespace peers

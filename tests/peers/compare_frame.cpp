@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "tests/peers/compare_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "pipeline/execute/execute.h"
+#include "tests/peers/gl_executor.h"
+#include "tests/peers/isolate.h"
+#include "tests/peers/pass_geometry.h"
+#include "tests/peers/rounding.h"
+
+namespace peers {
+
+using namespace pipeline;
+
+namespace {
+
+// In pixels. The half steps are for what is thinner than a whole one.
+constexpr float kNudges[]   = {-1.0f / 16.0f, -1.0f / 32.0f, 0.0f, 1.0f / 32.0f, 1.0f / 16.0f};
+constexpr float kTexelNudge = 1.0f / 256.0f;  // texels
+
+// The contents of all colour targets before each pass, and after the last.
+std::vector<TargetPictures> pictures_of(const Frame& frame) {
+    TargetPictures now;
+    for (const Target& target : frame.targets) {
+        const auto pixels        = static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
+        const std::uint32_t zero = target.format == TargetFormat::X8R8G8B8 ? 0xff000000 : 0;
+        now.push_back(is_depth(target.format) ? nullptr
+                                              : std::make_shared<const ColorImage>(ColorImage{
+                                                    target.width, target.height, std::vector(pixels, zero)}));
+    }
+    std::vector<TargetPictures> pictures{now};
+    execute(frame, {}, [&](const FinishedPass& finished) {
+        if (const TargetId color = finished.pass.color)
+            now[static_cast<std::size_t>(color.index)] = std::make_shared<const ColorImage>(finished.read_color());
+        pictures.push_back(now);
+    });
+    return pictures;
+}
+
+class PassLimits {
+  public:
+    PassLimits(const Frame& frame, std::size_t index, const std::vector<TargetPictures>& before)
+        : frame_(frame), pass_(frame.passes[index]), index_(index), before_(before), error_(fragment_error(pass_)) {}
+
+    std::vector<int> by_rounding() {
+        const ColorImage counted = execute(count_layers(frame_, index_, before_)).output;
+        width_                   = counted.width;
+        for (const std::uint32_t count : counted.pixels) layers_.push_back(static_cast<int>(count & 255));
+        std::vector<int> allowed;
+        for (const int layers : layers_) allowed.push_back(allowed_difference(pass_, error_, layers));
+        most_allowed_ = *std::max_element(allowed.begin(), allowed.end());
+        return allowed;
+    }
+
+    // Nothing where no fragment is.
+    int with_perspective(int x, int y) {
+        const double perspective  = geometry().perspective(x, y);
+        const FragmentError error = fragment_error(pass_, perspective);
+        alpha_error_              = std::max(alpha_error_, error.alpha);
+        return allowed_difference(pass_, error, layers_[static_cast<std::size_t>(y * width_ + x)]);
+    }
+
+    Envelope envelope() const {
+        Envelope envelope(drawn_with({}));
+        for (const int reference : alpha_references()) {
+            for (const float y : kNudges)
+                for (const float x : kNudges)
+                    envelope.include(drawn_with({.x = x, .y = y, .alpha_reference = reference}));
+            for (const float v : {-kTexelNudge, kTexelNudge})
+                for (const float u : {-kTexelNudge, kTexelNudge})
+                    envelope.include(drawn_with({.alpha_reference = reference, .u = u, .v = v}));
+        }
+        return envelope;
+    }
+
+    bool is_sliver(int x, int y) { return geometry().has_sliver(x, y); }
+
+    int most_allowed() const { return most_allowed_; }
+
+  private:
+    ColorImage drawn_with(const Nudge& nudge) const {
+        return execute(isolate_pass(frame_, index_, before_, nudge)).output;
+    }
+
+    const PassGeometry& geometry() {
+        if (!geometry_) geometry_.emplace(frame_, index_);
+        return *geometry_;
+    }
+
+    std::vector<int> alpha_references() const {
+        if (pass_.state.alpha_test.func == CompareFunc::Always) return {0};
+        const int units = static_cast<int>(std::ceil(alpha_error_));
+        return {-units, 0, units};
+    }
+
+    const Frame& frame_;
+    const Pass& pass_;
+    std::size_t index_;
+    const std::vector<TargetPictures>& before_;
+    FragmentError error_;
+    double alpha_error_ = error_.alpha;  // the greatest, as far as is known
+    int most_allowed_   = 0;
+    std::vector<int> layers_;  // by pixel
+    int width_ = 0;
+    std::optional<PassGeometry> geometry_;
+};
+
+}  // namespace
+
+std::vector<PassComparison> compare_passes(const Frame& frame, const Frame& peers) {
+    const std::vector<TargetPictures> before = pictures_of(frame);
+    GlExecutor executor(peers);
+    std::vector<PassComparison> result;
+    for (std::size_t i = 0; i < frame.passes.size(); ++i) {
+        executor.draw_pass(i);
+        const Pass& pass = frame.passes[i];
+        if (!pass.color) continue;
+        const ColorImage& ours = *before[i + 1][static_cast<std::size_t>(pass.color.index)];
+        PassLimits limits(frame, i, before);
+        const Comparison comparison =
+            compare(ours, executor.read(pass.color),
+                    {.by_rounding      = [&] { return limits.by_rounding(); },
+                     .with_perspective = [&](int x, int y) { return limits.with_perspective(x, y); },
+                     .envelope         = [&] { return limits.envelope(); },
+                     .is_sliver        = [&](int x, int y) { return limits.is_sliver(x, y); }});
+        result.push_back({pass.label, comparison, limits.most_allowed()});
+        executor.write(pass.color, ours);
+    }
+    return result;
+}
+
+Comparison total(const std::vector<PassComparison>& passes) {
+    Comparison sum;
+    for (const PassComparison& pass : passes) sum.add(pass.comparison);
+    return sum;
+}
+
+}  // namespace peers

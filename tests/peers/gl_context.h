@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// An OpenGL context without a window or a surface, on one of Mesa's two software drivers: llvmpipe compiles shaders
+// to machine code, softpipe interprets them, and they share no rasterizer. The driver is chosen through Mesa's
+// environment variables, which it reads once: one driver in a process.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace peers {
+
+enum class Driver { Llvmpipe, Softpipe };
+std::string_view driver_name(Driver driver);
+std::optional<Driver> find_driver(std::string_view name);
+
+class GlContext {
+  public:
+    // Current on the calling thread until it is destroyed. Throws std::runtime_error if Mesa does not give that
+    // driver.
+    explicit GlContext(Driver driver);
+    ~GlContext();
+    GlContext(const GlContext&)            = delete;
+    GlContext& operator=(const GlContext&) = delete;
+
+    // As OpenGL names itself: driver, compiler, Mesa's version.
+    std::string description() const;
+
+  private:
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+};
+
+}  // namespace peers
