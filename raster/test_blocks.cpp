@@ -47,7 +47,8 @@ HWY_INLINE void move_block(FragmentBatch& batch, int from, int to) {
 }
 
 // mask = narrow(block, lane, mask) for all lanes of a batch; blocks with none left are dropped. How many are left?
-template <class Narrow>
+// kWhole: masks are all ones or 0, which is the quicker to count.
+template <bool kWhole, class Narrow>
 HWY_INLINE std::uint64_t narrow_masks(FragmentBatch& batch, Narrow narrow) {
     std::uint64_t left = 0;
     int kept           = 0;
@@ -56,7 +57,7 @@ HWY_INLINE std::uint64_t narrow_masks(FragmentBatch& batch, Narrow narrow) {
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
             const VU mask = narrow(block, lane, hn::Load(DU(), batch.mask[block] + lane));
             hn::Store(mask, DU(), batch.mask[block] + lane);
-            alive += static_cast<int>(hn::CountTrue(DU(), hn::Ne(mask, set(0))));
+            alive += kWhole ? count_lanes(mask) : static_cast<int>(hn::CountTrue(DU(), hn::Ne(mask, set(0))));
         }
         left += static_cast<std::uint64_t>(alive);
         if (alive > 0) move_block(batch, block, kept++);
@@ -66,7 +67,7 @@ HWY_INLINE std::uint64_t narrow_masks(FragmentBatch& batch, Narrow narrow) {
 }
 
 std::uint64_t test_alpha(Compare func, std::uint8_t reference, AlphaFail fail, FragmentBatch& batch) {
-    return narrow_masks(batch, [&](int block, int lane, VU mask) HWY_ATTR {
+    return narrow_masks<true>(batch, [&](int block, int lane, VU mask) HWY_ATTR {
         const VU alpha  = hn::ShiftRight<24>(hn::Load(DU(), batch.color[block] + lane));
         const VU passed = passes(func, alpha, set(reference));
         if (fail == AlphaFail::Keep) return hn::And(mask, passed);
@@ -76,7 +77,7 @@ std::uint64_t test_alpha(Compare func, std::uint8_t reference, AlphaFail fail, F
 }
 
 std::uint64_t test_dest_alpha(DestAlphaTest test, const Image& target, FragmentBatch& batch) {
-    return narrow_masks(batch, [&](int block, int lane, VU mask) HWY_ATTR {
+    return narrow_masks<true>(batch, [&](int block, int lane, VU mask) HWY_ATTR {
         const auto [x, y] = batch.at[block];
         const VU there    = hn::Load(DU(), target.row(y) + x + lane);
         const VU top_bit  = hn::BitCast(DU(), hn::ShiftRight<31>(hn::BitCast(DI(), there)));
@@ -86,7 +87,7 @@ std::uint64_t test_dest_alpha(DestAlphaTest test, const Image& target, FragmentB
 
 std::uint64_t test_depth(Compare func, bool write, bool passed_only, Image& target, FragmentBatch& batch,
                          std::uint64_t& written) {
-    const std::uint64_t left = narrow_masks(batch, [&](int block, int lane, VU mask) HWY_ATTR {
+    const std::uint64_t left = narrow_masks<true>(batch, [&](int block, int lane, VU mask) HWY_ATTR {
         const auto [x, y]           = batch.at[block];
         std::uint32_t* const stored = target.row(y) + x + lane;
         const VU depth = hn::Load(DU(), batch.depth[block] + lane), there = hn::Load(DU(), stored);
@@ -106,7 +107,7 @@ std::uint64_t test_depth(Compare func, bool write, bool passed_only, Image& targ
 }
 
 std::uint64_t limit_color(std::uint32_t bits_if_failed, FragmentBatch& batch) {
-    return narrow_masks(batch, [&](int block, int lane, VU mask) HWY_ATTR {
+    return narrow_masks<false>(batch, [&](int block, int lane, VU mask) HWY_ATTR {
         const VU passed = hn::Load(DU(), batch.passed[block] + lane);
         return hn::And(mask, hn::Or(passed, set(bits_if_failed)));
     });
