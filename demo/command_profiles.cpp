@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "demo/standard_output.h"
 #include "pipeline/frame/field_traits.h"
 
 namespace demo {
@@ -53,6 +52,20 @@ std::map<std::string_view, Rule> rules_of(const Profile& profile) {
     return rules;
 }
 
+constexpr std::size_t kNameWidth = 10, kFieldWidth = 14, kRuleWidth = 18;
+
+std::string padded(std::string_view text, std::size_t width) {
+    std::string out(text);
+    out.resize(std::max(width, text.size() + 1), ' ');
+    return out;
+}
+
+// Without the blanks that a last column leaves.
+void end_line(std::string& text) {
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+}
+
 template <class Enum>
 std::string names_of(const std::vector<Enum>& values) {
     std::string names;
@@ -65,13 +78,23 @@ std::string names_of(const std::vector<Enum>& values) {
 
 }  // namespace
 
-void list_profiles() {
+std::string list_of_profiles() {
+    std::string text;
     for (const Profile& profile : pipeline::profiles())
-        print(std::string(profile.name) + std::string(10 - profile.name.size(), ' ') + std::string(profile.chip) +
-              '\n');
+        text += padded(profile.name, kNameWidth) + std::string(profile.chip) + '\n';
+    text += '\n' + padded("", kFieldWidth);
+    for (const Profile& profile : pipeline::profiles()) text += padded(profile.name, kRuleWidth);
+    end_line(text);
+    const pipeline::Arithmetic fields;
+    visit_fields(fields, [&](std::string_view name, const auto&) {
+        text += padded(name, kFieldWidth);
+        for (const Profile& profile : pipeline::profiles()) text += padded(rules_of(profile)[name].value, kRuleWidth);
+        end_line(text);
+    });
+    return text;
 }
 
-void print_profile(const Profile& profile) {
+std::string description(const Profile& profile) {
     std::string text              = std::string(profile.name) + ": " + std::string(profile.chip) + "\n\n";
     const std::string_view indent = "    ";
     text += wrapped("colour targets: ", indent, names_of(profile.color_formats));
@@ -80,15 +103,18 @@ void print_profile(const Profile& profile) {
     text += wrapped("alpha functions: ", indent, names_of(profile.alpha_funcs));
     const auto rules = rules_of(profile);
     for (const Evidence& evidence : profile.evidence) {
-        text += '\n' + std::string(evidence.topic);
+        text += '\n';
+        text += evidence.topic;
         const auto rule = rules.find(evidence.topic);
         if (rule != rules.end()) text += ' ' + rule->second.value;
-        text += " (" + std::string(enum_name(evidence.grade)) + ")\n";
+        text += " (";
+        text += enum_name(evidence.grade);
+        text += ")\n";
         if (rule != rules.end() && !rule->second.formula.empty()) text += wrapped(indent, indent, rule->second.formula);
         text += wrapped("    source: ", "        ", evidence.source);
         if (!evidence.open.empty()) text += wrapped("    open: ", "        ", evidence.open);
     }
-    print(text);
+    return text;
 }
 
 std::string open_questions() {

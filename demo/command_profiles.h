@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nimbus7 profiles: the chips, how one of them computes, or what is not known of all of them.
+// nimbus7 profiles: what it prints of the chips. The README quotes some of it.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace demo {
 
-void list_profiles();
-void print_profile(const pipeline::Profile& profile);
-
-// As a list in Markdown, for the README.
+// The chips, and a table of their arithmetic.
+std::string list_of_profiles();
+// Formats, functions, and each rule with its formula, source, evidence and what is open.
+std::string description(const pipeline::Profile& profile);
+// What is not known of all of them, as a list in Markdown.
 std::string open_questions();
 
 }  // namespace demo

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "demo/command_profiles.h"
 #include "demo/pass_statistics.h"
 #include "demo/scene.h"
 #include "pipeline/execute/execute.h"
@@ -57,4 +58,9 @@ TEST_CASE("the README's table of passes is what the program prints", "[readme]")
                       });
     CHECK(timeless_lines(block_after("## How a frame gets its cloud", "```")) ==
           timeless_lines(demo::to_table(passes)));
+}
+
+TEST_CASE("the README's table of chips and list of open questions are what the program prints", "[readme]") {
+    CHECK(block_after("## How the chips compute", "```") == demo::list_of_profiles());
+    CHECK(read("README.md").find("\n\n" + demo::open_questions() + "\n") != std::string::npos);
 }
