@@ -122,7 +122,7 @@ void blend(const BlendPlan& plan, Image& target, const FragmentBatch& batch) {
             if (!kBytes) source = hn::And(source, source_mask);
             const VU pattern = kBytes ? set(0) : hn::Load(DU(), dither.data() + lane);
             Pixels out       = Rule::apply(plan.blend, unpack(source), unpack(dest), pattern);
-            if (!kBytes && plan.blend.dither == Dither::Flipper2x2) out = dither_2x2(out, pattern);
+            if (!kBytes && plan.blend.dither == Dither::Ordered2x2) out = dither_2x2(out, pattern);
             const VU argb = kBytes ? pack(out) : store(plan.store, pack(out));
             hn::Store(select(mask, argb, dest), DU(), pixels + lane);
         }
@@ -132,7 +132,8 @@ void blend(const BlendPlan& plan, Image& target, const FragmentBatch& batch) {
 BlendKernel get_blend_kernel(const BlendPlan& plan, bool generic) {
     using enum BlendFactor::Operand;
     const Blend& state    = plan.blend;
-    const bool bytes_only = plan.store == StoreMasks{} && state.dither == Dither::None && !generic;
+    // All bits that it may write are kept as they are.
+    const bool bytes_only = (state.write_mask & ~plan.store.keep) == 0 && state.dither == Dither::None && !generic;
     const auto is         = [&](const BlendFactor& source, const BlendFactor& dest) {
         return state.source == source && state.dest == dest;
     };
@@ -173,7 +174,7 @@ BlendPlan plan_blend(const Blend& blend, const ColorFormat& format) {
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < kBlockWidth; ++x) {
             static constexpr std::uint32_t k2x2[2][2] = {{0, 2}, {3, 1}};
-            if (blend.dither == Dither::Flipper2x2) plan.dither[y][x] = k2x2[y & 1][x & 1] * 0x10001u;
+            if (blend.dither == Dither::Ordered2x2) plan.dither[y][x] = k2x2[y & 1][x & 1] * 0x10001u;
             if (blend.dither == Dither::Matrix4x4) {
                 const auto offset = static_cast<std::uint16_t>(blend.dither_matrix[4 * y + (x & 3)]);
                 plan.dither[y][x] = offset | static_cast<std::uint32_t>(offset) << 16;

@@ -24,4 +24,8 @@ std::uint32_t stored(const StoreMasks& masks, std::uint32_t argb) {
            masks.set;
 }
 
+std::uint32_t stored(const ColorFormat& format, std::uint32_t argb) {
+    return stored(store_masks(format), argb);
+}
+
 }  // namespace raster

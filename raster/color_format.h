@@ -30,4 +30,7 @@ struct StoreMasks {
 StoreMasks store_masks(const ColorFormat& format);
 std::uint32_t stored(const StoreMasks& masks, std::uint32_t argb);
 
+// What is there once a colour has been written.
+std::uint32_t stored(const ColorFormat& format, std::uint32_t argb);
+
 }  // namespace raster

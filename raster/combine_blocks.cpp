@@ -24,7 +24,7 @@ struct Nearest255 {
     static HWY_INLINE VU lerp(VU a, VU b, VU c) { return div255(add16(mul16(a, c), mul16(b, invert(c)))); }
     static constexpr std::uint32_t kHalf = 127, kOne = 255;  // of AddSigned and AddSigned2X
 };
-struct Tev {
+struct Expanded256 {
     // (k * p + 128) >> 8 = (p + 128 / k) >> (8 - log2 k), which stays within 16 bits.
     static HWY_INLINE VU product(VU a, VU b) { return shift_right16<8>(add16(mul16(a, expand256(b)), set_pair(128))); }
     static HWY_INLINE VU product_2x(VU a, VU b) {
@@ -131,8 +131,8 @@ void combine_stage(const CombineStage& stage, CombineRule rule, int index, std::
     switch (rule) {
         case CombineRule::Nearest255:
             return combine_stage<Nearest255>(stage, index, constant, batch);
-        case CombineRule::Tev:
-            return combine_stage<Tev>(stage, index, constant, batch);
+        case CombineRule::Expanded256:
+            return combine_stage<Expanded256>(stage, index, constant, batch);
         case CombineRule::Shift7:
             return combine_stage<Shift7>(stage, index, constant, batch);
     }

@@ -14,6 +14,7 @@ struct FillCounts {
     std::uint64_t color_written = 0;  // of those, wrote colour: to one channel at least
     std::uint64_t texels        = 0;  // for each covered fragment and texture 1, 4 (linear), twice that (mip linear)
     std::uint64_t texel_bytes   = 0;  // of those, in the formats of Sampler::texel_bytes
+    std::uint64_t dest_alpha_tested = 0;  // reached the destination alpha test
 
     FillCounts& operator+=(const FillCounts& more) {
         covered += more.covered;
@@ -23,6 +24,7 @@ struct FillCounts {
         color_written += more.color_written;
         texels += more.texels;
         texel_bytes += more.texel_bytes;
+        dest_alpha_tested += more.dest_alpha_tested;
         return *this;
     }
     bool operator==(const FillCounts&) const = default;

@@ -25,8 +25,9 @@ FillPlan plan_fill(const FillState& state, bool has_color, const ColorFormat& fo
     plan.fails_on     = !plan.tests_first && state.alpha_fail != AlphaFail::Keep;
     plan.uses_color   = plan.writes_color || state.alpha_func != Compare::Always;
 
-    plan.needs.depth   = plan.uses_depth;
-    plan.needs.diffuse = plan.uses_color && reads_diffuse(state);
+    plan.needs.depth        = plan.uses_depth;
+    plan.needs.floor_colors = state.floor_colors;
+    plan.needs.diffuse      = plan.uses_color && reads_diffuse(state);
     plan.needs.specular =
         plan.uses_color && (state.add_specular || state.fog || any_stage_reads(state, CombineArg::Source::Specular));
 

@@ -5,7 +5,7 @@
 //   1. texel[i]   sampled by `samplers[i]` (raster/sampling_rules.h), for each stage that reads it
 //   2. stages     current = diffuse; then for each stage, colour channels by `color` and alpha by `alpha`, rounded by
 //                 `combine_rule`; k = 1, 2, 4 for Modulate, 2X, 4X:
-//                                 Nearest255                         Tev                               Shift7
+//                                 Nearest255                         Expanded256                       Shift7
 //                   Select        a                                  a                                 a
 //                   Modulate k    nearest(min(65025, k * a * b))     (k * a * b' + 128) >> 8           a * b >> 7, k = 1
 //                   Add           a + b                              a + b                             a + b
@@ -32,7 +32,7 @@
 //                   Shift7       r, g, b: ((A - B) * C >> 7) + D + dither, or, with `only_above_half` where alpha of s
 //                                is below 128, s + dither; clamped, or modulo 256 if not `clamp`. Alpha: s, with bit 7
 //                                set if `set_top_bit`.
-//   8. dither     Flipper2x2: r, g, b = c - (c >> 6) + {0, 2; 3, 1}[y & 1][x & 1]. Matrix4x4: with Shift7 only, the `dither`
+//   8. dither     Ordered2x2: r, g, b = c - (c >> 6) + {0, 2; 3, 1}[y & 1][x & 1]. Matrix4x4: with Shift7 only, the `dither`
 //                 above is dither_matrix[4 * (y & 3) + (x & 3)], -4..3; it is 0 otherwise.
 //   9. store      by the target's format (raster/color_format.h); only channels in `write_mask` change
 #pragma once
@@ -62,7 +62,7 @@ enum class CombineOp : std::uint8_t {
     Lerp,
     MultiplyAdd,
 };
-enum class CombineRule : std::uint8_t { Nearest255, Tev, Shift7 };
+enum class CombineRule : std::uint8_t { Nearest255, Expanded256, Shift7 };
 
 // alpha_replicate puts the source's alpha in every channel; complement then takes 255 - x. Specular reads with alpha
 // 255.
@@ -114,7 +114,7 @@ struct Shift7Blend {
 };
 
 enum class BlendRule : std::uint8_t { Nearest255, Trunc256, Shift7 };
-enum class Dither : std::uint8_t { None, Flipper2x2, Matrix4x4 };
+enum class Dither : std::uint8_t { None, Ordered2x2, Matrix4x4 };
 
 // Steps 7 to 9, but for the target's format. source, dest: with Nearest255 and Trunc256. shift7: with Shift7.
 struct Blend {

@@ -43,8 +43,10 @@ class TileFill {
             make_color(command);
             alive_ = plan.test.alpha(plan.state.alpha_func, plan.state.alpha_reference, plan.state.alpha_fail, batch_);
         }
-        if (plan.state.dest_alpha_test != DestAlphaTest::Off)
+        if (plan.state.dest_alpha_test != DestAlphaTest::Off) {
+            counts_.dest_alpha_tested += alive_;
             alive_ = plan.test.dest_alpha(plan.state.dest_alpha_test, *color_, batch_);
+        }
         counts_.alpha_passed += alive_;
         if (plan.uses_depth) test_depth(command);
         counts_.depth_passed += alive_;

@@ -33,7 +33,6 @@ void interpolate_depth(const SetUpTriangle& triangle, int depth_bits, FragmentBa
     }
 }
 
-template <bool kFloor>
 void interpolate_color(const std::array<Plane, 4>& planes, FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
     // Blue and red, green and alpha, as pairs of 16-bit lanes in 8.7 fixed point.
     const auto pair = [](std::uint32_t low, std::uint32_t high) { return (low & 0xffff) | high << 16; };
@@ -44,19 +43,29 @@ void interpolate_color(const std::array<Plane, 4>& planes, FragmentBatch& batch,
     for (int block = 0; block < batch.count; ++block) {
         const auto start = [&](int channel) {
             const std::uint64_t plane = planes[channel].at(batch.at[block].x, batch.at[block].y);
-            return static_cast<std::uint32_t>(read_plane<kColorDrop>(plane)) + (kFloor ? 0 : 64);
+            return static_cast<std::uint32_t>(read_plane<kColorDrop>(plane)) + 64;
         };
         const VU start_lo = set(pair(start(0), start(2))), start_hi = set(pair(start(1), start(3)));
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
             const VU index = lane_index_pair(lane), bytes = set_pair(0xff);
-            const auto to_bytes = [](VU value) HWY_ATTR {
-                return shift_right_signed16<7>(kFloor ? clamp_signed16(value, 0, 0x7fff) : value);
-            };
-            const VU lo = to_bytes(add16(start_lo, mul16(index, step_lo)));
-            const VU hi = to_bytes(add16(start_hi, mul16(index, step_hi)));
+            const VU lo = shift_right_signed16<7>(add16(start_lo, mul16(index, step_lo)));
+            const VU hi = shift_right_signed16<7>(add16(start_hi, mul16(index, step_hi)));
             hn::Store(pack({hn::And(lo, bytes), hn::And(hi, bytes)}), DU(), out[block] + lane);
         }
     }
+}
+
+void interpolate_floor_color(const std::array<Plane, 4>& planes, FragmentBatch& batch, BlockRows<std::uint32_t>& out) {
+    for (int block = 0; block < batch.count; ++block)
+        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
+            const auto channel = [&](int index) HWY_ATTR {
+                const VI value = plane_lanes<kColorDrop>(planes[index], batch.at[block].x, batch.at[block].y, lane);
+                const VI byte  = hn::ShiftRight<15>(hn::Add(value, seti(128)));
+                return hn::BitCast(DU(), hn::Min(hn::Max(byte, seti(0)), seti(255)));
+            };
+            const VU rgb = hn::Or(channel(0), hn::Or(hn::ShiftLeft<8>(channel(1)), hn::ShiftLeft<16>(channel(2))));
+            hn::Store(hn::Or(rgb, hn::ShiftLeft<24>(channel(3))), DU(), out[block] + lane);
+        }
 }
 
 HWY_INLINE VI floor_to_int(VF value) {
@@ -139,8 +148,7 @@ void constant(std::uint32_t value, FragmentBatch& batch, BlockRows<std::uint32_t
 }
 
 InterpolateKernels get_interpolate_kernels() {
-    return {&interpolate_depth, &interpolate_color<false>, &interpolate_color<true>, &triangle_uv, &rectangle_uv,
-            &constant};
+    return {&interpolate_depth, &interpolate_color, &interpolate_floor_color, &triangle_uv, &rectangle_uv, &constant};
 }
 
 }  // namespace HWY_NAMESPACE

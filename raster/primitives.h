@@ -19,15 +19,15 @@
 // and is read on the grid of blocks: with xb = x rounded down to a multiple of 16 and r(p, S) = floor((p + 2^(S-1)) / 2^S),
 //   value(x, y) = r(plane(xb, y), S) + (x - xb) * r(step, S)
 //   kind                  v at the vertex                              F    S    read as
-//   colour, fog (bytes)   the byte                                     23   16   (value + 64) >> 7, a byte; or, for a
-//                                                                                state with `floor_colors`,
-//                                                                                max(value, 0) >> 7
+//   colour, fog (bytes)   the byte                                     23   16   (value + 64) >> 7, a byte
+//     with `floor_colors`                                              31   16   (value + 128) >> 15, kept within 0..255:
+//                                                                                floor(colour + 1/256)
 //   depth                 z * (2^30 - 1) in double, nearest, ties even  12   12   value, kept within the triangle's
 //                                                                                least and greatest v
 //   texture s, t, q       see raster/sampling_rules.h                  12   12   value
 // (value is signed, >> arithmetic). At a covered pixel a value lies within its vertices' range but for the rounding of step
-// (8 at most) and that of gx and gy (2^20 / 2^S at most), so lanes of 16 bits (colour) and 32 bits (the others) hold it,
-// whatever the same sum is elsewhere modulo their size.
+// (8 at most) and that of gx and gy (2^20 / 2^S at most), so lanes of 16 bits (colour to nearest) and 32 bits (the others)
+// hold it, whatever the same sum is elsewhere modulo their size.
 // The depth of a format with n bits is value >> (30 - n) for n <= 30, and value * 4 + (value >> 28) for n = 32.
 #pragma once
 

@@ -67,6 +67,7 @@ void shade(const PassFill& pass, const FillState& state, const Fragment& fragmen
         writes = writes_in_spite(state.alpha_fail, writes);
     }
     if (state.dest_alpha_test != DestAlphaTest::Off) {
+        ++counts.dest_alpha_tested;
         const bool top_bit = (pass.color->row(fragment.y)[fragment.x] & 0x80000000) != 0;
         if (top_bit != (state.dest_alpha_test == DestAlphaTest::One)) return;
     }
@@ -95,21 +96,26 @@ class ColorOverTriangle {
     ColorOverTriangle(const Corners& corners, const std::array<std::uint32_t, 3>& colors, bool floor) : floor_(floor) {
         for (int c = 0; c < 4; ++c) {
             const auto byte = [&](int i) { return std::int64_t{(colors[i] >> (8 * c)) & 255}; };
-            planes_[c]      = make_plane(corners, {byte(0), byte(1), byte(2)}, 23, 16);
+            planes_[c]      = make_plane(corners, {byte(0), byte(1), byte(2)}, floor ? 31 : 23, 16);
         }
     }
 
     std::uint32_t at(int x, int y) const {
         std::uint32_t color = 0;
         for (int c = 0; c < 4; ++c) {
-            const int value = static_cast<std::int16_t>(planes_[c].value(x, y));
-            const int byte  = floor_ ? std::max(value, 0) >> 7 : (value + 64) >> 7;
-            color |= static_cast<std::uint32_t>(byte & 255) << (8 * c);
+            color |= static_cast<std::uint32_t>(floor_ ? floored(c, x, y) : nearest(c, x, y)) << (8 * c);
         }
         return color;
     }
 
   private:
+    int nearest(int channel, int x, int y) const {
+        return ((static_cast<std::int16_t>(planes_[channel].value(x, y)) + 64) >> 7) & 255;
+    }
+    int floored(int channel, int x, int y) const {
+        return std::clamp((static_cast<std::int32_t>(planes_[channel].value(x, y)) + 128) >> 15, 0, 255);
+    }
+
     std::array<Plane, 4> planes_;
     bool floor_;
 };
@@ -180,6 +186,10 @@ void draw(const PassFill& pass, const FillState& state, const Rectangle& rectang
 }
 
 }  // namespace
+
+std::uint32_t reference_stored(const ColorFormat& format, std::uint32_t argb) {
+    return reference::stored_color(format, argb);
+}
 
 FillCounts reference_fill_pass(const PassFill& pass) {
     FillCounts counts;

@@ -10,4 +10,7 @@ namespace raster {
 
 FillCounts reference_fill_pass(const PassFill& pass);
 
+// What is there once a colour has been written to a target (raster/color_format.h).
+std::uint32_t reference_stored(const ColorFormat& format, std::uint32_t argb);
+
 }  // namespace raster

@@ -81,7 +81,7 @@ int combine_nearest255(CombineOp op, int a, int b, int c) {
     return 0;
 }
 
-int combine_tev(CombineOp op, int a, int b, int c) {
+int combine_expanded256(CombineOp op, int a, int b, int c) {
     switch (op) {
         case CombineOp::Select:
             return a;
@@ -132,8 +132,8 @@ int combine(CombineRule rule, CombineOp op, int a, int b, int c) {
     switch (rule) {
         case CombineRule::Nearest255:
             return clamp_byte(combine_nearest255(op, a, b, c));
-        case CombineRule::Tev:
-            return clamp_byte(combine_tev(op, a, b, c));
+        case CombineRule::Expanded256:
+            return clamp_byte(combine_expanded256(op, a, b, c));
         case CombineRule::Shift7:
             return clamp_byte(combine_shift7(op, a, b, c));
     }
@@ -290,13 +290,13 @@ bool passes(Compare func, std::uint32_t fragment, std::uint32_t reference) {
 
 std::uint32_t blended_color(const Blend& blend, const ColorFormat& format, std::uint32_t source, std::uint32_t dest,
                             int x, int y) {
-    static constexpr int kFlipper[2][2] = {{0, 2}, {3, 1}};
+    static constexpr int kOrdered[2][2] = {{0, 2}, {3, 1}};
     const std::uint32_t s               = blend.cut_source ? cut(format, source) : source;
     const int matrix      = blend.dither == Dither::Matrix4x4 ? blend.dither_matrix[4 * (y & 3) + (x & 3)] : 0;
     std::uint32_t written = 0;
     for (int c = 0; c < 4; ++c) {
         int value = blended_channel(blend, s, dest, matrix, c);
-        if (blend.dither == Dither::Flipper2x2 && c != kAlpha) value = value - (value >> 6) + kFlipper[y & 1][x & 1];
+        if (blend.dither == Dither::Ordered2x2 && c != kAlpha) value = value - (value >> 6) + kOrdered[y & 1][x & 1];
         written |= at_channel(value, c);
     }
     return (dest & ~blend.write_mask) | (stored_color(format, written) & blend.write_mask);

@@ -54,11 +54,12 @@ class PlaneMaker {
     std::int64_t center_, x0_, y0_, x1_, y1_, x2_, y2_, area_;
 };
 
+template <int kFraction>
 std::array<Plane, 4> color_planes(const PlaneMaker& maker, std::uint32_t c0, std::uint32_t c1, std::uint32_t c2) {
     std::array<Plane, 4> planes;
     for (int channel = 0; channel < 4; ++channel) {
         const int shift = 8 * channel;
-        planes[channel] = maker.make<kColorFraction>(c0 >> shift & 255, c1 >> shift & 255, c2 >> shift & 255);
+        planes[channel] = maker.make<kFraction>(c0 >> shift & 255, c1 >> shift & 255, c2 >> shift & 255);
     }
     return planes;
 }
@@ -142,8 +143,13 @@ bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const Pi
     out.flat_specular   = v[0]->specular;
     out.diffuse_varies  = needs.diffuse && varies(&Vertex::diffuse);
     out.specular_varies = needs.specular && varies(&Vertex::specular);
-    if (out.diffuse_varies) out.diffuse = color_planes(maker, v[0]->diffuse, v[1]->diffuse, v[2]->diffuse);
-    if (out.specular_varies) out.specular = color_planes(maker, v[0]->specular, v[1]->specular, v[2]->specular);
+    const auto planes   = [&](std::uint32_t Vertex::*color) {
+        const std::uint32_t c0 = v[0]->*color, c1 = v[1]->*color, c2 = v[2]->*color;
+        return needs.floor_colors ? color_planes<kFloorColorFraction>(maker, c0, c1, c2)
+                                    : color_planes<kColorFraction>(maker, c0, c1, c2);
+    };
+    if (out.diffuse_varies) out.diffuse = planes(&Vertex::diffuse);
+    if (out.specular_varies) out.specular = planes(&Vertex::specular);
     for (int i = 0; i < kMaxTextures; ++i)
         if (needs.texture[i])
             out.textures[i] = texture_planes(maker, v, i, needs.lod[i], needs.width[i], needs.height[i]);

@@ -46,6 +46,7 @@ struct SetUpTriangle {
 // What of a triangle a draw needs. Texture sizes are those of level 0.
 struct SetupNeeds {
     bool depth = false, diffuse = false, specular = false;
+    bool floor_colors = false;
     std::array<bool, kMaxTextures> texture{}, lod{};
     std::array<int, kMaxTextures> width{}, height{};
 };
@@ -82,6 +83,7 @@ constexpr std::int32_t read_plane(std::uint64_t p) {
 }
 
 inline constexpr int kColorDrop = 16, kDepthDrop = 12, kTextureDrop = 12, kRectangleDrop = 16;  // S of the rules
-inline constexpr int kColorFraction = 23, kDepthFraction = 12, kTextureFraction = 12;           // F of the rules
+inline constexpr int kColorFraction = 23, kFloorColorFraction = 31, kDepthFraction = 12,
+                     kTextureFraction = 12;  // F of the rules
 
 }  // namespace raster

@@ -59,8 +59,13 @@ std::uint64_t count_vertices(const Frame& frame, const DrawTriangles& draw) {
 class FrameExecution {
   public:
     FrameExecution(const Frame& frame, const ExecuteOptions& options, FrameMemory& memory)
-        : frame_(frame), options_(options), memory_(memory), arena_(options.threads) {
-        arena_.run([&] { memory.prepare(frame); });
+        : frame_(frame),
+          options_(options),
+          memory_(memory),
+          stored_(options.backend == Backend::Reference ? &raster::reference_stored
+                                                        : static_cast<StoreFunction*>(&raster::stored)),
+          arena_(options.threads) {
+        arena_.run([&] { memory.prepare(frame, stored_); });
     }
 
     PassCounts run(const Pass& pass) {
@@ -118,8 +123,7 @@ class FrameExecution {
             counts.cleared += pixels;
             counts.bytes += pixels * pixel_bytes(target);
         };
-        if (pass.clear.color)
-            set(*fill.color, raster::stored(raster::store_masks(fill.format), pass.clear.color->value), pass.color);
+        if (pass.clear.color) set(*fill.color, stored_(fill.format, pass.clear.color->value), pass.color);
         if (pass.clear.depth)
             set(*fill.depth, raster::to_depth_format(raster::depth_value(*pass.clear.depth), fill.depth_bits),
                 pass.depth);
@@ -165,6 +169,7 @@ class FrameExecution {
             } else if (const auto* rectangle = std::get_if<DrawRectangle>(&draw)) {
                 jobs.push_back({nullptr, 0, 0});
                 fill.draws.push_back({state(rectangle->textures), {}, {lower(*rectangle)}});
+                fill.draws.back().state.fog = false;
                 ++counts.rectangles;
             }
         }
@@ -187,7 +192,7 @@ class FrameExecution {
     // What follows from the fragments and the state.
     void count(const Pass& pass, const raster::FillCounts& filled, PassCounts& counts) const {
         const PipelineState& state = pass.state;
-        const bool masked          = state.color_mask != ColorMask{};
+        const bool masked          = state.color_mask != ColorMask{} || state.alpha_test.fail == AlphaFail::RgbOnly;
         const bool blends          = reads_destination(frame_.arithmetic, state);
         counts.covered             = filled.covered;
         counts.texels += filled.texels;
@@ -196,13 +201,15 @@ class FrameExecution {
         counts.depth_written = filled.depth_written;
         counts.color_written += filled.color_written;
         counts.blended = blends ? filled.color_written : 0;
-        counts.bytes += filled.texel_bytes + pixel_bytes(pass.depth) * (counts.depth_tested + counts.depth_written) +
+        counts.bytes += filled.texel_bytes + pixel_bytes(pass.color) * filled.dest_alpha_tested +
+                        pixel_bytes(pass.depth) * (counts.depth_tested + counts.depth_written) +
                         pixel_bytes(pass.color) * filled.color_written * (blends || masked ? 2 : 1);
     }
 
     const Frame& frame_;
     const ExecuteOptions& options_;
     FrameMemory& memory_;
+    StoreFunction* stored_;
     raster::ThreadArena arena_;
 };
 

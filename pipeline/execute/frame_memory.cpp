@@ -30,10 +30,6 @@ void expand(const Texture& texture, std::vector<std::uint32_t>& out) {
     }
 }
 
-std::uint32_t stored_zero(TargetFormat format) {
-    return raster::stored(raster::store_masks(color_format(format)), 0);
-}
-
 std::vector<std::int32_t> bound_textures(const Frame& frame) {
     std::set<std::int32_t> bound;
     for (const Pass& pass : frame.passes)
@@ -45,7 +41,7 @@ std::vector<std::int32_t> bound_textures(const Frame& frame) {
 
 }  // namespace
 
-void FrameMemory::prepare(const Frame& frame) {
+void FrameMemory::prepare(const Frame& frame, StoreFunction* stored) {
     frame_ = &frame;
     images_.resize(frame.targets.size());
     tbb::parallel_for(std::size_t{0}, images_.size(), [&](std::size_t i) {
@@ -54,7 +50,7 @@ void FrameMemory::prepare(const Frame& frame) {
             images_[i].clear();
         else
             images_[i] = raster::Image(target.width, target.height);
-        const std::uint32_t zero = is_depth(target.format) ? 0 : stored_zero(target.format);
+        const std::uint32_t zero = is_depth(target.format) ? 0 : stored(color_format(target.format), 0);
         if (zero != 0) raster::fill_rect(images_[i], images_[i].bounds(), zero);
     });
     texels_.resize(frame.textures.size());

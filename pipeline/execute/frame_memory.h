@@ -6,15 +6,19 @@
 #include <vector>
 
 #include "pipeline/frame/frame.h"
+#include "raster/color_format.h"
 #include "raster/image.h"
 #include "raster/sampling_rules.h"
 
 namespace pipeline {
 
+using StoreFunction = std::uint32_t(const raster::ColorFormat& format, std::uint32_t argb);
+
 class FrameMemory {
   public:
     // Targets become what they are if zeros are written. The frame must outlive its drawing. Uses the threads of the arena it is called in.
-    void prepare(const Frame& frame);
+    // `stored`: see raster/color_format.h.
+    void prepare(const Frame& frame, StoreFunction* stored);
 
     raster::Image* image(TargetId id) { return id ? &images_[id.index] : nullptr; }
     const raster::Image& image(TargetId id) const { return images_[id.index]; }

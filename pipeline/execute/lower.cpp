@@ -183,7 +183,7 @@ raster::CombineRule lower(CombineRule rule) {
         case CombineRule::GsShift7:
             return raster::CombineRule::Shift7;
         case CombineRule::Tev:
-            return raster::CombineRule::Tev;
+            return raster::CombineRule::Expanded256;
     }
     return raster::CombineRule::Nearest255;
 }
@@ -264,7 +264,7 @@ raster::Dither lower(DitherMode mode) {
         case DitherMode::None:
             return raster::Dither::None;
         case DitherMode::Flipper2x2:
-            return raster::Dither::Flipper2x2;
+            return raster::Dither::Ordered2x2;
         case DitherMode::GsDimx:
             return raster::Dither::Matrix4x4;
     }
@@ -276,7 +276,7 @@ std::uint32_t lower(const ColorMask& mask) {
            (mask.blue ? 0x000000ffu : 0u);
 }
 
-raster::Blend lower_blend(const Arithmetic& arithmetic, const PipelineState& state) {
+raster::Blend lower_blend(const Arithmetic& arithmetic, const PipelineState& state, std::optional<TargetFormat> color) {
     raster::Blend out;
     out.rule       = lower(arithmetic.blend);
     out.source     = lower(state.blend.source);
@@ -287,6 +287,7 @@ raster::Blend lower_blend(const Arithmetic& arithmetic, const PipelineState& sta
     std::transform(state.dither.matrix.begin(), state.dither.matrix.end(), out.dither_matrix.begin(),
                    [](std::int32_t offset) { return static_cast<std::int8_t>(offset); });
     out.write_mask = lower(state.color_mask);
+    if (color && color_format(*color).alpha == 0) out.write_mask &= 0x00ffffff;  // there is nothing to write
     return out;
 }
 
@@ -320,7 +321,7 @@ raster::FillState lower(const Arithmetic& arithmetic, const PipelineState& state
     }
     out.depth_func  = lower(state.depth.func);
     out.depth_write = state.depth.write;
-    out.blend       = lower_blend(arithmetic, state);
+    out.blend       = lower_blend(arithmetic, state, color);
     return out;
 }
 

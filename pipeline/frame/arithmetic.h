@@ -18,7 +18,7 @@ struct EnumNames<SnapRule> {
     static constexpr std::array<std::string_view, 2> names{"NEAREST", "TRUNCATE"};
 };
 
-// An interpolated colour, to a byte.
+// An interpolated colour, to a byte: the nearest, or the floor of what is 1/256 more.
 enum class GouraudRule : std::uint8_t { Nearest, Floor };
 template <>
 struct EnumNames<GouraudRule> {
@@ -41,7 +41,7 @@ struct EnumNames<FilterRule> {
 
 // The products in texture stages, and what AddSigned takes off. See texture_state.h for the ops.
 //   NEAREST255   a * b / 255 rounded to nearest; a * c + b * (255 - c) likewise; a + b - 127.5 half up
-//   GS_SHIFT7    a * b >> 7, so that 0x80 is one; only SELECTARG1/2, MODULATE, ADD and MODULATECOLOR_ADDALPHA, in one stage
+//   GS_SHIFT7    a * b >> 7, so that 0x80 is one; in one stage, of arguments without complement, and not for all ops
 //   TEV          with b' = b + (b >> 7), 0..256: (a * b' + 128) >> 8; a * c' + b * (256 - c') likewise; a + b - 128
 enum class CombineRule : std::uint8_t { Nearest255, GsShift7, Tev };
 template <>

@@ -85,7 +85,8 @@ void visit_fields(State& state, Visit&& visit) {
     visit("fba", fba);
 }
 
-// What is added to red, green and blue before a target with few bits keeps them, by the pixel's place. Not in clears.
+// What is added to red, green and blue before a target that keeps less than 8 bits of each does so, by the pixel's place. Not
+// in clears.
 //   FLIPPER_2X2  c becomes c - (c >> 6) + {0, 2; 3, 1}[y & 1][x & 1]
 //   GS_DIMX      matrix[4 * (y & 3) + (x & 3)], -4..3 each, is added to the blend's result before COLCLAMP
 enum class DitherMode : std::uint8_t { None, Flipper2x2, GsDimx };

@@ -22,7 +22,8 @@ concept NamedEnum = std::is_enum_v<Enum> && requires {
 
 template <NamedEnum Enum>
 constexpr std::string_view enum_name(Enum value) {
-    return EnumNames<Enum>::names[static_cast<std::size_t>(value)];
+    const auto index = static_cast<std::size_t>(value);
+    return index < EnumNames<Enum>::names.size() ? EnumNames<Enum>::names[index] : "?";
 }
 
 // True for `Struct` and `const Struct`: visit_fields is written once and serves readers and writers.

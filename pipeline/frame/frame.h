@@ -53,6 +53,11 @@ struct EnumNames<TargetFormat> {
 constexpr bool is_depth(TargetFormat format) {
     return format >= TargetFormat::D16;
 }
+// Does a colour format keep 8 bits of red, green and blue?
+constexpr bool keeps_bytes(TargetFormat format) {
+    return format == TargetFormat::A8R8G8B8 || format == TargetFormat::X8R8G8B8 || format == TargetFormat::Psmct32 ||
+           format == TargetFormat::Psmct24;
+}
 constexpr int bytes_per_pixel(TargetFormat format) {
     switch (format) {
         case TargetFormat::R5G6B5:
@@ -228,7 +233,7 @@ void visit_fields(State& state, Visit&& visit) {
 }
 
 // Copies pixels of another colour target to the pass's, `from` whole and with its top left corner to (x, y): a copy engine, to
-// which no state applies. A pass that copies does nothing else but clear. halve: each 2x2 pixels become one, channel by
+// which no state applies. A pass that copies does nothing else but clear, which viewport and scissor limit. halve: each 2x2 pixels become one, channel by
 // channel, S >> 2 with S the sum of the four; from R6G6B6A6, with S the sum of the four 6-bit values, S + (S >> 6), a
 // whole byte. Only targets of 8 or 6 bits can be halved, from even corners.
 struct CopyRectangle {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 
+#include "pipeline/frame/arithmetic.h"
 #include "pipeline/frame/fields.h"
 #include "pipeline/frame/math_types.h"
 
@@ -58,6 +59,13 @@ template <>
 struct EnumNames<ArgSource> {
     static constexpr std::array<std::string_view, 5> names{"DIFFUSE", "CURRENT", "TEXTURE", "TFACTOR", "SPECULAR"};
 };
+
+// GS_SHIFT7 has these alone.
+constexpr bool has_rule(CombineRule rule, TextureOp op) {
+    return rule != CombineRule::GsShift7 || op == TextureOp::Disable || op == TextureOp::SelectArg1 ||
+           op == TextureOp::SelectArg2 || op == TextureOp::Modulate || op == TextureOp::Add ||
+           op == TextureOp::ModulateColorAddAlpha;
+}
 
 // alpha_replicate reads the source's alpha in every channel; complement then takes 1 - x.
 struct TextureArg {

@@ -105,11 +105,6 @@ void check_rectangle(const Frame& frame, const DrawRectangle& draw, const Place&
     }
 }
 
-bool can_be_halved(TargetFormat format) {
-    return format == TargetFormat::A8R8G8B8 || format == TargetFormat::X8R8G8B8 || format == TargetFormat::R6G6B6A6 ||
-           format == TargetFormat::Psmct32 || format == TargetFormat::Psmct24;
-}
-
 void check_copy(const Frame& frame, const Pass& pass, const CopyRectangle& copy, const Place& place,
                 Findings& findings) {
     const Target* source = find_target(frame, copy.source);
@@ -120,7 +115,7 @@ void check_copy(const Frame& frame, const Pass& pass, const CopyRectangle& copy,
     if (source == nullptr || target == nullptr) return;
     if (is_depth(source->format)) report(findings, at, "must be a colour target" + got(source->format));
     if (copy.source == pass.color) report(findings, at, "must not be the target that the pass draws to");
-    if (copy.halve && !can_be_halved(source->format)) {
+    if (copy.halve && !keeps_bytes(source->format) && source->format != TargetFormat::R6G6B6A6) {
         report(findings, place.field("halve"), "must be false for a source of this format" + got(source->format));
     }
     const PixelRect& from = copy.from;
@@ -174,6 +169,15 @@ void check_draws(const Frame& frame, const Pass& pass, const Place& place, Findi
     const auto copies  = std::count_if(pass.draws.begin(), pass.draws.end(), is_copy);
     if (copies != 0 && copies != std::ssize(pass.draws)) {
         report(findings, place.field("draws"), "must be copies all, or none of them");
+    }
+    if (copies != 0) {
+        PipelineState limits;
+        limits.viewport = pass.state.viewport;
+        limits.scissor  = pass.state.scissor;
+        if (pass.state != limits) {
+            report(findings, place.field("state"),
+                   "must be left out but for viewport and scissor: copies know no state");
+        }
     }
     for (std::size_t i = 0; i < pass.draws.size(); ++i) {
         const Place here = place.entry("draws", i);

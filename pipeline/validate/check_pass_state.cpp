@@ -83,15 +83,8 @@ void check_stages(const PipelineState& state, const Place& place, Findings& find
     }
 }
 
-constexpr bool has_shift7(TextureOp op) {
-    return op == TextureOp::Disable || op == TextureOp::SelectArg1 || op == TextureOp::SelectArg2 ||
-           op == TextureOp::Modulate || op == TextureOp::Add || op == TextureOp::ModulateColorAddAlpha;
-}
-
-// What the frame's arithmetic has no rule for.
-void check_arithmetic(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {
-    const PipelineState& state = pass.state;
-    const bool gs_blend        = frame.arithmetic.blend == BlendRule::GsShift7;
+void check_blend(const Frame& frame, const PipelineState& state, const Place& place, Findings& findings) {
+    const bool gs_blend = frame.arithmetic.blend == BlendRule::GsShift7;
     if (gs_blend && state.blend != BlendState{}) {
         report(findings, place.field("blend"), "must be left out with arithmetic.blend GS_SHIFT7: gs_blend says it");
     }
@@ -99,23 +92,33 @@ void check_arithmetic(const Frame& frame, const Pass& pass, const Place& place, 
         report(findings, place.field("gs_blend"),
                "must be left out unless arithmetic.blend is GS_SHIFT7" + got(frame.arithmetic.blend));
     }
-    const Place dither = place.field("dither");
-    if ((state.dither.mode == DitherMode::GsDimx && !gs_blend) ||
-        (state.dither.mode == DitherMode::Flipper2x2 && gs_blend)) {
-        report(findings, dither.field("mode"),
-               "must fit arithmetic.blend " + std::string(enum_name(frame.arithmetic.blend)) + got(state.dither.mode));
-    }
-    for (std::size_t i = 0; i < state.dither.matrix.size(); ++i) {
-        const std::int32_t offset = state.dither.matrix[i];
+}
+
+void check_dither(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {
+    const DitherState& dither = pass.state.dither;
+    for (std::size_t i = 0; i < dither.matrix.size(); ++i) {
+        const std::int32_t offset = dither.matrix[i];
         if (offset < -4 || offset > 3) {
-            report(findings, dither.entry("matrix", i), "must lie within -4..3" + got(offset));
+            report(findings, place.entry("matrix", i), "must lie within -4..3" + got(offset));
         }
     }
-    if (state.dest_alpha_test != DestAlphaTest::Off && !pass.color) {
-        report(findings, place.field("dest_alpha_test"),
-               "must be OFF: the pass has no colour target" + got(state.dest_alpha_test));
+    const Place mode = place.field("mode");
+    if (dither.mode == DitherMode::None) return;
+    const bool gs_blend = frame.arithmetic.blend == BlendRule::GsShift7;
+    if ((dither.mode == DitherMode::GsDimx) != gs_blend) {
+        report(findings, mode,
+               "must fit arithmetic.blend " + std::string(enum_name(frame.arithmetic.blend)) + got(dither.mode));
     }
-    if (frame.arithmetic.combine != CombineRule::GsShift7) return;
+    const Target* target = find_target(frame, pass.color);
+    if (!pass.color) {
+        report(findings, mode, "must be NONE: the pass has no colour target" + got(dither.mode));
+    } else if (target != nullptr && keeps_bytes(target->format)) {
+        report(findings, mode, "must be NONE: the target keeps whole bytes" + got(dither.mode));
+    }
+}
+
+// What GS_SHIFT7 has no rule for.
+void check_shift7_stages(const PipelineState& state, const Place& place, Findings& findings) {
     for (std::size_t i = 0; i < state.stages.size(); ++i) {
         const TextureStage& stage = state.stages[i];
         const Place here          = place.entry("stages", i);
@@ -124,10 +127,30 @@ void check_arithmetic(const Frame& frame, const Pass& pass, const Place& place, 
                    "must be DISABLE: arithmetic.combine GS_SHIFT7 has one stage" + got(stage.color_op));
         }
         for (const auto& [name, op] : {std::pair{"color_op", stage.color_op}, std::pair{"alpha_op", stage.alpha_op}}) {
-            if (!has_shift7(op)) {
+            if (!has_rule(CombineRule::GsShift7, op)) {
                 report(findings, here.field(name), "must be an op that arithmetic.combine GS_SHIFT7 has" + got(op));
             }
         }
+        for (const auto& [name, arg] :
+             {std::pair{"color_arg1", stage.color_arg1}, std::pair{"color_arg2", stage.color_arg2},
+              std::pair{"alpha_arg1", stage.alpha_arg1}, std::pair{"alpha_arg2", stage.alpha_arg2}}) {
+            if (arg.complement) {
+                const Place argument = here.field(name);
+                report(findings, argument.field("complement"),
+                       "must be false: arithmetic.combine GS_SHIFT7 has no complement");
+            }
+        }
+    }
+}
+
+// What the frame's arithmetic has no rule for.
+void check_arithmetic(const Frame& frame, const Pass& pass, const Place& place, Findings& findings) {
+    check_blend(frame, pass.state, place, findings);
+    check_dither(frame, pass, place.field("dither"), findings);
+    if (frame.arithmetic.combine == CombineRule::GsShift7) check_shift7_stages(pass.state, place, findings);
+    if (pass.state.dest_alpha_test != DestAlphaTest::Off && !pass.color) {
+        report(findings, place.field("dest_alpha_test"),
+               "must be OFF: the pass has no colour target" + got(pass.state.dest_alpha_test));
     }
 }
 

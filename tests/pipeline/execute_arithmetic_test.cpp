@@ -107,6 +107,33 @@ TEST_CASE("each rule for interpolated colours", "[execute]") {
     }
 }
 
+TEST_CASE("a floored colour is exact where a division leaves nothing, whatever the slope", "[execute]") {
+    for (const int size : {7, 24, 30, 150})
+        for (const std::uint32_t most : {1u, 16u, 100u, 255u}) {
+            INFO(size << ' ' << most);
+            Frame frame                   = small_frame(size, size);
+            frame.arithmetic.gouraud      = GouraudRule::Floor;
+            frame.arithmetic.pixel_center = 0;
+            frame.passes[0].draws         = {add_quad(frame, 0)};
+            for (Vertex& vertex : frame.vertices) {
+                const std::uint32_t along_x = vertex.position.x > 0.0f ? most : 0;
+                const std::uint32_t along_y = vertex.position.y < 0.0f ? most : 0;
+                vertex.diffuse = {along_y << 24 | along_x << 16 | (most - along_x) << 8 | (most - along_y)};
+            }
+            const auto pixels = pixels_on_both(frame);
+            std::size_t wrong = 0;
+            for (std::uint32_t y = 0, i = 0; y < static_cast<std::uint32_t>(size); ++y)
+                for (std::uint32_t x = 0; x < static_cast<std::uint32_t>(size); ++x, ++i) {
+                    const auto at = [&](std::uint32_t units) {
+                        return most * units / static_cast<std::uint32_t>(size);
+                    };
+                    const auto rest = static_cast<std::uint32_t>(size);
+                    wrong += pixels[i] != (at(y) << 24 | at(x) << 16 | at(rest - x) << 8 | at(rest - y));
+                }
+            CHECK(wrong == 0);
+        }
+}
+
 TEST_CASE("each filter rule", "[execute]") {
     // Fractions of 17/256 and 5/256: in sixteenths 1 and 0, in 1/128 8 and 2.
     const struct Row {
@@ -205,7 +232,7 @@ TEST_CASE("each fog rule", "[execute]") {
         pass.draws           = {add_quad(frame, 200 * kGrey)};
         CHECK(grey(frame) == row.expected);
     }
-    // A factor of 255 is not quite one for the GS.
+    // A factor of 255 is not quite one for the GS. A rectangle has no fog.
     const auto unfogged = [](FogRule rule, std::uint32_t fog_color) {
         Frame frame               = small_frame(17, 1);
         frame.arithmetic.fog      = rule;
@@ -218,6 +245,11 @@ TEST_CASE("each fog rule", "[execute]") {
     CHECK(unfogged(FogRule::GsFloor256, 100) == 127);  // (255 * 128 + 100) / 256 = 127.9
     CHECK(unfogged(FogRule::GsTwoFloors, 200) == 127);
     CHECK(unfogged(FogRule::FlipperFloor256, 100) == 128);
+    Frame frame               = small_frame(17, 1);
+    frame.arithmetic.fog      = FogRule::GsTwoFloors;
+    frame.passes[0].state.fog = {.mode = FogMode::Linear, .color = {100 * kGrey}};
+    frame.passes[0].draws     = {rectangle({0, 0, 17, 1}, 128 * kGrey)};
+    CHECK(grey(frame) == 128);
 }
 
 TEST_CASE("each blend rule", "[execute]") {

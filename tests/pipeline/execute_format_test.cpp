@@ -100,11 +100,38 @@ TEST_CASE("each dither, at each place of its pattern", "[execute]") {
 TEST_CASE("dither comes before clamping or wrapping", "[execute]") {
     Frame frame                  = small_frame(4, 1);
     frame.arithmetic.blend       = BlendRule::GsShift7;
+    frame.targets[0].format      = TargetFormat::Psmct16;
     frame.passes[0].state.dither = {.mode = DitherMode::GsDimx, .matrix = {3, -4, 0, 0}};
     frame.passes[0].draws        = {rectangle({0, 0, 4, 1}, 0x10fe0102)};
-    CHECK(pixels_on_both(frame) == std::vector<std::uint32_t>{0x10ff0405, 0x10fa0000, 0x10fe0102, 0x10fe0102});
+    // Red 0x101, 0xfa, 0xfe; green 4, -3, 1; blue 5, -2, 2.
+    CHECK(pixels_on_both(frame) == std::vector<std::uint32_t>{0xf80000, 0xf80000, 0xf80000, 0xf80000});
     frame.passes[0].state.gs_blend.colclamp = false;
-    CHECK(pixels_on_both(frame) == std::vector<std::uint32_t>{0x10010405, 0x10fafdfe, 0x10fe0102, 0x10fe0102});
+    CHECK(pixels_on_both(frame) == std::vector<std::uint32_t>{0, 0xf8f8f8, 0xf80000, 0xf80000});
+}
+
+TEST_CASE("counts and bytes follow what a format keeps", "[execute]") {
+    const auto counts = [](TargetFormat format, void (*change)(PipelineState&)) {
+        Frame frame             = small_frame(4, 2);
+        frame.targets[0].format = format;
+        frame.passes[0].draws   = {rectangle({0, 0, 4, 2}, 0x00ffffff)};
+        change(frame.passes[0].state);
+        const PassCounts all = draw_on_both(frame).execution.counts[0];
+        return std::pair(all.color_written, all.bytes);
+    };
+    using Pair            = std::pair<std::uint64_t, std::uint64_t>;
+    const auto nothing    = [](PipelineState&) {};
+    const auto alpha_only = [](PipelineState& state) { state.color_mask = {false, false, false, true}; };
+    const auto rgb_only   = [](PipelineState& state) {
+        state.alpha_test = {.func = CompareFunc::Never, .reference = 0, .fail = AlphaFail::RgbOnly};
+    };
+    const auto tested = [](PipelineState& state) { state.dest_alpha_test = DestAlphaTest::One; };
+    CHECK(counts(TargetFormat::A8R8G8B8, nothing) == Pair{8, 32});
+    CHECK(counts(TargetFormat::R5G6B5, nothing) == Pair{8, 16});
+    CHECK(counts(TargetFormat::R6G6B6A6, nothing) == Pair{8, 24});
+    CHECK(counts(TargetFormat::A8R8G8B8, alpha_only) == Pair{8, 64});  // read, and written
+    CHECK(counts(TargetFormat::X8R8G8B8, alpha_only) == Pair{0, 0});
+    CHECK(counts(TargetFormat::A8R8G8B8, rgb_only) == Pair{8, 64});
+    CHECK(counts(TargetFormat::A8R8G8B8, tested) == Pair{0, 32});  // read alone
 }
 
 TEST_CASE("a copy moves pixels, or halves them by the source's format", "[execute]") {

@@ -22,6 +22,7 @@ Frame ideal_frame() {
 
 Frame gs_frame() {
     Frame frame              = ideal_frame();
+    frame.targets[0].format  = TargetFormat::Psmct16;
     frame.arithmetic.blend   = BlendRule::GsShift7;
     frame.arithmetic.combine = CombineRule::GsShift7;
     PipelineState& state     = frame.passes[0].state;
@@ -64,8 +65,22 @@ TEST_CASE("validate: states that the arithmetic has no rule for") {
              [](Frame& f) { state(f).gs_blend.fix = 1; },
              {{"pass 0: state.gs_blend", "must be left out unless arithmetic.blend is GS_SHIFT7 (got NEAREST255)"}}},
             {"the other dither",
-             [](Frame& f) { state(f).dither.mode = DitherMode::GsDimx; },
+             [](Frame& f) { state(f).dither.mode = DitherMode::GsDimx, f.targets[0].format = TargetFormat::R5G6B5; },
              {{"pass 0: state.dither.mode", "must fit arithmetic.blend NEAREST255 (got GS_DIMX)"}}},
+            {"dither for no such rule",
+             [](Frame& f) {
+                 state(f).dither.mode = DitherMode::GsDimx;
+                 f.targets[0].format  = TargetFormat::R5G6B5;
+                 f.arithmetic.blend   = static_cast<BlendRule>(99);
+             },
+             {{"arithmetic: blend", "must be one of NEAREST255 GS_SHIFT7 FLIPPER_TRUNC256 (got #99)"},
+              {"pass 0: state.dither.mode", "must fit arithmetic.blend ? (got GS_DIMX)"}}},
+            {"dither of whole bytes",
+             [](Frame& f) { state(f).dither.mode = DitherMode::Flipper2x2; },
+             {{"pass 0: state.dither.mode", "must be NONE: the target keeps whole bytes (got FLIPPER_2X2)"}}},
+            {"dither of no target",
+             [](Frame& f) { f.passes[0].color = {}, state(f).dither.mode = DitherMode::Flipper2x2; },
+             {{"pass 0: state.dither.mode", "must be NONE: the pass has no colour target (got FLIPPER_2X2)"}}},
             {"alpha of no target",
              [](Frame& f) { f.passes[0].color = {}, state(f).dest_alpha_test = DestAlphaTest::Zero; },
              {{"pass 0: state.dest_alpha_test", "must be OFF: the pass has no colour target (got ZERO)"}}},
@@ -90,6 +105,10 @@ TEST_CASE("validate: states that the arithmetic has no rule for") {
                      [](Frame& f) { state(f).stages[0].alpha_op = TextureOp::Subtract; },
                      {{"pass 0: state.stages[0].alpha_op",
                        "must be an op that arithmetic.combine GS_SHIFT7 has (got SUBTRACT)"}}},
+                    {"a complement",
+                     [](Frame& f) { state(f).stages[0].alpha_arg2.complement = true; },
+                     {{"pass 0: state.stages[0].alpha_arg2.complement",
+                       "must be false: arithmetic.combine GS_SHIFT7 has no complement"}}},
                     {"a second stage",
                      [](Frame& f) { state(f).stages[1] = state(f).stages[0]; },
                      {{"pass 0: state.stages[1].color_op",
@@ -99,48 +118,53 @@ TEST_CASE("validate: states that the arithmetic has no rule for") {
 
 TEST_CASE("validate: copies") {
     const std::string draw = "pass 1: draws[0]";
-    check_rules(&ideal_frame, {
-                                  {"nothing to copy from",
-                                   [](Frame& f) { copy(f).source = {}; },
-                                   {{draw + ".source", "must refer to a colour target"}}},
-                                  {"depth",
-                                   [](Frame& f) {
-                                       copy(f).source = {1}, copy(f).halve = false, copy(f).from = {0, 0, 2, 2};
-                                   },
-                                   {{draw + ".source", "must be a colour target (got D16)"}}},
-                                  {"itself",
-                                   [](Frame& f) {
-                                       copy(f).source = {0}, copy(f).from = {0, 0, 2, 2};
-                                   },
-                                   {{draw + ".source", "must not be the target that the pass draws to"}}},
-                                  {"nothing to copy to",
-                                   [](Frame& f) { f.passes[1].color = {}, f.passes[1].depth = {1}; },
-                                   {{draw, "must have a colour target to copy to: the pass names none"}}},
-                                  {"16 bits halved",
-                                   [](Frame& f) {
-                                       copy(f).source = {3}, copy(f).from = {0, 0, 4, 4};
-                                   },
-                                   {{draw + ".halve", "must be false for a source of this format (got R5G6B5)"}}},
-                                  {"odd corner",
-                                   [](Frame& f) { copy(f).from.x0 = 1; },
-                                   {{draw + ".from", "must have even corners to be halved"}}},
-                                  {"empty",
-                                   [](Frame& f) { copy(f).from.y1 = 0; },
-                                   {{draw + ".from", "must be a part of the source, and not empty"}}},
-                                  {"beyond the source",
-                                   [](Frame& f) { copy(f).from.x1 = 18; },
-                                   {{draw + ".from", "must be a part of the source, and not empty"}}},
-                                  {"beyond the target",
-                                   [](Frame& f) { copy(f).x = 3; },
-                                   {{draw, "must lie within the target that the pass draws to"}}},
-                                  {"before the target",
-                                   [](Frame& f) { copy(f).y = -1; },
-                                   {{draw, "must lie within the target that the pass draws to"}}},
-                                  {"a place that overflows",
-                                   [](Frame& f) { copy(f).x = 2147483647; },
-                                   {{draw, "must lie within the target that the pass draws to"}}},
-                                  {"draws besides",
-                                   [](Frame& f) { f.passes[1].draws.push_back(f.passes[0].draws[0]); },
-                                   {{"pass 1: draws", "must be copies all, or none of them"}}},
-                              });
+    check_rules(&ideal_frame,
+                {
+                    {"nothing to copy from",
+                     [](Frame& f) { copy(f).source = {}; },
+                     {{draw + ".source", "must refer to a colour target"}}},
+                    {"depth",
+                     [](Frame& f) {
+                         copy(f).source = {1}, copy(f).halve = false, copy(f).from = {0, 0, 2, 2};
+                     },
+                     {{draw + ".source", "must be a colour target (got D16)"}}},
+                    {"itself",
+                     [](Frame& f) {
+                         copy(f).source = {0}, copy(f).from = {0, 0, 2, 2};
+                     },
+                     {{draw + ".source", "must not be the target that the pass draws to"}}},
+                    {"nothing to copy to",
+                     [](Frame& f) { f.passes[1].color = {}, f.passes[1].depth = {1}; },
+                     {{draw, "must have a colour target to copy to: the pass names none"}}},
+                    {"16 bits halved",
+                     [](Frame& f) {
+                         copy(f).source = {3}, copy(f).from = {0, 0, 4, 4};
+                     },
+                     {{draw + ".halve", "must be false for a source of this format (got R5G6B5)"}}},
+                    {"odd corner",
+                     [](Frame& f) { copy(f).from.x0 = 1; },
+                     {{draw + ".from", "must have even corners to be halved"}}},
+                    {"empty",
+                     [](Frame& f) { copy(f).from.y1 = 0; },
+                     {{draw + ".from", "must be a part of the source, and not empty"}}},
+                    {"beyond the source",
+                     [](Frame& f) { copy(f).from.x1 = 18; },
+                     {{draw + ".from", "must be a part of the source, and not empty"}}},
+                    {"beyond the target",
+                     [](Frame& f) { copy(f).x = 3; },
+                     {{draw, "must lie within the target that the pass draws to"}}},
+                    {"before the target",
+                     [](Frame& f) { copy(f).y = -1; },
+                     {{draw, "must lie within the target that the pass draws to"}}},
+                    {"a place that overflows",
+                     [](Frame& f) { copy(f).x = 2147483647; },
+                     {{draw, "must lie within the target that the pass draws to"}}},
+                    {"a state",
+                     [](Frame& f) { f.passes[1].state.depth.write = true; },
+                     {{"pass 1: state.depth.write", "must be false: the pass has no depth target"},
+                      {"pass 1: state", "must be left out but for viewport and scissor: copies know no state"}}},
+                    {"draws besides",
+                     [](Frame& f) { f.passes[1].draws.push_back(f.passes[0].draws[0]); },
+                     {{"pass 1: draws", "must be copies all, or none of them"}}},
+                });
 }

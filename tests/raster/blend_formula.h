@@ -116,7 +116,7 @@ inline Pixel stored(const ColorFormat& format, const Pixel& pixel) {
 // The whole of it, at pixel (x, y) of the target.
 inline std::uint32_t blended(const Blend& blend, const ColorFormat& format, std::uint32_t source, std::uint32_t dest,
                              int x, int y) {
-    static constexpr int kFlipper[2][2] = {{0, 2}, {3, 1}};
+    static constexpr int kOrdered[2][2] = {{0, 2}, {3, 1}};
     Pixel s                             = Pixel::of(source), out;
     const Pixel d                       = Pixel::of(dest);
     for (int i = 0; i < 3; ++i)
@@ -124,7 +124,7 @@ inline std::uint32_t blended(const Blend& blend, const ColorFormat& format, std:
     const int matrix = blend.dither == Dither::Matrix4x4 ? blend.dither_matrix[4 * (y % 4) + x % 4] : 0;
     for (int i = 0; i < 3; ++i) {
         out.c[i] = blended_channel(blend, {d.c[i], s.c[kAlpha], d.c[kAlpha], matrix}, s.c[i]);
-        if (blend.dither == Dither::Flipper2x2) out.c[i] += kFlipper[y % 2][x % 2] - out.c[i] / 64;
+        if (blend.dither == Dither::Ordered2x2) out.c[i] += kOrdered[y % 2][x % 2] - out.c[i] / 64;
     }
     out.c[kAlpha] = blended_alpha(blend, s.c[kAlpha], d.c[kAlpha]);
     return (stored(format, out).argb() & blend.write_mask) | (dest & ~blend.write_mask);

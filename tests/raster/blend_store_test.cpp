@@ -75,7 +75,7 @@ Pixel source_of(int lane, int round) {
 TEST_CASE("every value comes to every format by every cut and dither", "[raster][exhaustive]") {
     for (const ColorFormat& format : kFormats)
         for (Blend blend : blends())
-            for (const Dither dither : {Dither::None, Dither::Flipper2x2, Dither::Matrix4x4})
+            for (const Dither dither : {Dither::None, Dither::Ordered2x2, Dither::Matrix4x4})
                 for (const bool cut : {false, true}) {
                     blend.dither        = dither;
                     blend.dither_matrix = kMatrix;

@@ -38,7 +38,7 @@ Products products_of(CombineRule rule) {
         case CombineRule::Nearest255:
             return {[](int k, int a, int b) { return nearest_255th(k * a * b); },
                     [](int a, int b, int c) { return nearest_255th(a * c + b * (255 - c)); }, 127, 255};
-        case CombineRule::Tev:
+        case CombineRule::Expanded256:
             return {[](int k, int a, int b) { return floor_quotient(k * a * exact::to_256(b) + 128, 256); },
                     [](int a, int b, int c) {
                         const int f = exact::to_256(c);
@@ -198,8 +198,8 @@ TEST_CASE("Nearest255: every operation of a stage is exact", "[raster][exhaustiv
     check_operations(CombineRule::Nearest255);
 }
 
-TEST_CASE("Tev: every operation of a stage is exact", "[raster][exhaustive]") {
-    check_operations(CombineRule::Tev);
+TEST_CASE("Expanded256: every operation of a stage is exact", "[raster][exhaustive]") {
+    check_operations(CombineRule::Expanded256);
 }
 
 TEST_CASE("Shift7: every operation of a stage is exact", "[raster][exhaustive]") {
@@ -208,7 +208,7 @@ TEST_CASE("Shift7: every operation of a stage is exact", "[raster][exhaustive]")
 
 TEST_CASE("alpha has its own operation in a stage", "[raster]") {
     Bench bench;
-    for (const CombineRule rule : {CombineRule::Nearest255, CombineRule::Tev, CombineRule::Shift7})
+    for (const CombineRule rule : {CombineRule::Nearest255, CombineRule::Expanded256, CombineRule::Shift7})
         for (const CombineOp color : ops_of(rule))
             for (const CombineOp alpha : ops_of(rule))
                 for (const int x : simd_kernels::kEdges)

@@ -190,7 +190,7 @@ TEST_CASE("A matrix of the rule Shift7 is added to its colours before they are c
 
 TEST_CASE("The two by two dither, with known answers", "[reference]") {
     FillState state;
-    state.blend.dither = Dither::Flipper2x2;
+    state.blend.dither = Dither::Ordered2x2;
     Canvas canvas(3, 3);
     canvas.format = kRgba6;
     // 100 becomes 99 and 99, 101, 102, 100 with the matrix; 24 and 25 are kept, which read as 97 and 101. Alpha is not

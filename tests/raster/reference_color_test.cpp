@@ -213,10 +213,10 @@ TEST_CASE("Combine operations are exact and rounded once", "[reference]") {
 TEST_CASE("Combine operations of each rule, with known answers", "[reference]") {
     struct Row {
         CombineOp op;
-        int a, b, c, nearest255, tev, shift7;
+        int a, b, c, nearest255, expanded256, shift7;
     };
     constexpr int kNot             = -1;  // not to be asked of Shift7
-    // To nearest255 one is 255, to tev 255 as well, but by way of 256ths, and to shift7 it is 128.
+    // To nearest255 one is 255, to expanded256 255 as well, but by way of 256ths, and to shift7 it is 128.
     const std::array<Row, 23> rows = {{
         {CombineOp::Select, 200, 1, 2, 200, 200, 200},
         {CombineOp::Modulate, 77, 128, 0, 39, 39, 77},      // 38.65; 77 * 129 = 9933, of 256 38.80
@@ -251,8 +251,8 @@ TEST_CASE("Combine operations of each rule, with known answers", "[reference]") 
         CAPTURE(static_cast<int>(row.op), row.a, row.b, row.c);
         state.combine_rule = CombineRule::Nearest255;
         CHECK(pixel(state, grey(row.c)) == grey(row.nearest255));
-        state.combine_rule = CombineRule::Tev;
-        CHECK(pixel(state, grey(row.c)) == grey(row.tev));
+        state.combine_rule = CombineRule::Expanded256;
+        CHECK(pixel(state, grey(row.c)) == grey(row.expanded256));
         state.combine_rule = CombineRule::Shift7;
         if (row.shift7 != kNot) CHECK(pixel(state, grey(row.c)) == grey(row.shift7));
     }

@@ -88,8 +88,10 @@ TEST_CASE("A fragment that fails the alpha test writes what alpha_fail leaves to
         CHECK(canvas.depth.row(0)[0] == 0);
     }
     SECTION("and nothing where the alpha already there is not asked for") {
-        state.dest_alpha_test = DestAlphaTest::Zero;
-        CHECK(canvas.draw(state, rectangle(0, 0, 1, 1, 0x11223344, 1.0f)) == FillCounts{1});
+        state.dest_alpha_test          = DestAlphaTest::Zero;
+        const std::uint64_t any_tested = row.fail != AlphaFail::Keep ? 1 : 0;
+        CHECK(canvas.draw(state, rectangle(0, 0, 1, 1, 0x11223344, 1.0f)) ==
+              FillCounts{1, 0, 0, 0, 0, 0, 0, any_tested});
         CHECK(canvas.at(0, 0) == 0xaabbccdd);
         CHECK(canvas.depth.row(0)[0] == 0);
     }
@@ -114,10 +116,11 @@ TEST_CASE("The destination alpha test asks for bit 7 of the alpha already there"
     state.depth_write     = true;
     for (std::uint32_t alpha : {0x00u, 0x7fu, 0x80u, 0xffu}) {
         Canvas canvas(1, 1);
-        canvas.color.row(0)[0] = alpha << 24 | 0x808080;
-        const bool passes      = alpha < 0x80 ? row.below : row.above;
-        CHECK(canvas.draw(state, rectangle(0, 0, 1, 1, 0x40123456, 1.0f)) ==
-              (passes ? FillCounts{1, 1, 1, 1, 1} : FillCounts{1}));
+        canvas.color.row(0)[0]   = alpha << 24 | 0x808080;
+        const bool passes        = alpha < 0x80 ? row.below : row.above;
+        FillCounts counts        = passes ? FillCounts{1, 1, 1, 1, 1} : FillCounts{1};
+        counts.dest_alpha_tested = row.test == DestAlphaTest::Off ? 0 : 1;
+        CHECK(canvas.draw(state, rectangle(0, 0, 1, 1, 0x40123456, 1.0f)) == counts);
         CHECK(canvas.at(0, 0) == (passes ? 0x40123456 : alpha << 24 | 0x808080));
         CHECK(canvas.depth.row(0)[0] == (passes ? 0xffffff : 0));
     }
@@ -130,7 +133,7 @@ TEST_CASE("Each fragment meets the alpha that the one before it left", "[referen
     Canvas canvas(2, 1);
     const FillCounts counts =
         canvas.draw(state, {}, {rectangle(0, 0, 1, 1, 0x80111111), rectangle(0, 0, 2, 1, 0xff222222)});
-    CHECK(counts == FillCounts{3, 2, 2, 0, 2});
+    CHECK(counts == FillCounts{3, 2, 2, 0, 2, 0, 0, 3});
     CHECK(canvas.at(0, 0) == 0x80111111);
     CHECK(canvas.at(1, 0) == 0xff222222);
 }

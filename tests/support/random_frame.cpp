@@ -182,14 +182,19 @@ Pass random_pass(Frame& frame, Random& random) {
     }
     if (pass.depth && random.chance(10)) pass.color = {};
     pass.camera.index = static_cast<std::int32_t>(random.below(frame.cameras.size()));
-    pass.state = random_state(frame.arithmetic, random, target.width, target.height, static_cast<bool>(pass.color),
-                              static_cast<bool>(pass.depth));
+    const auto color  = pass.color ? std::optional(target.format) : std::nullopt;
+    pass.state =
+        random_state(frame.arithmetic, random, target.width, target.height, color, static_cast<bool>(pass.depth));
     if (pass.color && random.chance(50)) pass.clear.color = Argb{random.bits()};
     if (pass.depth && random.chance(80))
         pass.clear.depth = random.one_of({1.0f, 1.0f, 1.0f, 0.0f, random.real(0.0f, 1.0f)});
 
     if (pass.color && random.chance(10)) {
         add_copies(frame, pass, random);
+        PipelineState limits;
+        limits.viewport = pass.state.viewport;
+        limits.scissor  = pass.state.scissor;
+        if (!pass.draws.empty()) pass.state = limits;
         return pass;
     }
     const int draws = random.chance(5) ? 0 : random.from(1, 5);

@@ -63,11 +63,6 @@ void fix_arithmetic(const Arithmetic& arithmetic, PipelineState& state, Random& 
     for (std::int32_t& offset : state.dither.matrix) offset = random.from(-4, 3);
 }
 
-bool is_shift7(TextureOp op) {
-    return op == TextureOp::Disable || op == TextureOp::SelectArg1 || op == TextureOp::SelectArg2 ||
-           op == TextureOp::Modulate || op == TextureOp::Add || op == TextureOp::ModulateColorAddAlpha;
-}
-
 void fix_stages(const Arithmetic& arithmetic, std::array<TextureStage, kTextureStages>& stages, Random& random) {
     const bool shift7 = arithmetic.combine == CombineRule::GsShift7;
     const int enabled = random.chance(15) ? 0 : random.from(1, shift7 ? 1 : kTextureStages);
@@ -77,10 +72,13 @@ void fix_stages(const Arithmetic& arithmetic, std::array<TextureStage, kTextureS
             if (i >= enabled) {
                 *op = TextureOp::Disable;
             } else {
-                while (*op == TextureOp::Disable || (shift7 && !is_shift7(*op))) *op = random.any<TextureOp>();
+                while (*op == TextureOp::Disable || !has_rule(arithmetic.combine, *op)) *op = random.any<TextureOp>();
             }
         }
         if (random.chance(50)) stage.color_arg1.source = ArgSource::Texture;
+        for (TextureArg* arg : {&stage.color_arg1, &stage.color_arg2, &stage.alpha_arg1, &stage.alpha_arg2}) {
+            if (shift7) arg->complement = false;
+        }
     }
 }
 
@@ -122,14 +120,15 @@ Arithmetic random_arithmetic(Random& random) {
     return arithmetic;
 }
 
-PipelineState random_state(const Arithmetic& arithmetic, Random& random, int width, int height, bool has_color,
-                           bool has_depth) {
+PipelineState random_state(const Arithmetic& arithmetic, Random& random, int width, int height,
+                           std::optional<TargetFormat> color, bool has_depth) {
     PipelineState state;
     scramble(state, random);
     fix_arithmetic(arithmetic, state, random);
     fix_stages(arithmetic, state.stages, random);
     if (random.chance(30)) state.blend = kReplace;
-    if (!has_color || random.chance(70)) state.dest_alpha_test = DestAlphaTest::Off;
+    if (!color || keeps_bytes(*color)) state.dither.mode = DitherMode::None;
+    if (!color || random.chance(70)) state.dest_alpha_test = DestAlphaTest::Off;
     if (random.chance(60)) state.color_mask = {};
     if (random.chance(65)) state.alpha_test.func = CompareFunc::Always;
     if (random.chance(60)) state.cull = CullMode::None;

@@ -3,6 +3,8 @@
 // visit_fields: a new one takes part by itself.
 #pragma once
 
+#include <optional>
+
 #include "pipeline/frame/frame.h"
 #include "tests/support/random.h"
 
@@ -14,6 +16,6 @@ pipeline::Mat4 random_matrix(Random& random);
 pipeline::Arithmetic random_arithmetic(Random& random);
 
 pipeline::PipelineState random_state(const pipeline::Arithmetic& arithmetic, Random& random, int width, int height,
-                                     bool has_color, bool has_depth);
+                                     std::optional<pipeline::TargetFormat> color, bool has_depth);
 
 }  // namespace test_support
