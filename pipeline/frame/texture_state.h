@@ -100,7 +100,7 @@ struct EnumNames<TextureAddress> {
     static constexpr std::array<std::string_view, 3> names{"WRAP", "CLAMP", "MIRROR"};
 };
 
-// Vertex0/1: the vertex's first or second pair. CameraPosition: the position in camera space, times `transform`
+// Vertex0/1: the vertex's first or second pair. CameraPosition: the position in camera space, its w taken as 1, times `transform`
 // (D3DTSS_TCI_CAMERASPACEPOSITION), then (u, v) = (x, y) / z of the result: D3DTTFF_COUNT3 | D3DTTFF_PROJECTED.
 enum class CoordSource : std::uint8_t { Vertex0, Vertex1, CameraPosition };
 template <>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdlib>
 
 namespace peers {
@@ -70,6 +71,13 @@ double Comparison::mean() const {
     return pixels == edge ? 0.0 : sum / static_cast<double>(4 * (pixels - edge));
 }
 
+bool is_suspect(const Comparison& comparison) {
+    constexpr std::uint64_t kEnoughPixels = 10000, kPixelsPerEdge = 1000;
+    constexpr double kMostMean = 0.05;
+    return comparison.pixels >= kEnoughPixels &&
+           (std::abs(comparison.mean()) > kMostMean || comparison.edge > comparison.pixels / kPixelsPerEdge);
+}
+
 void Comparison::add(const Comparison& other) {
     const bool worse_kind = (other.failed > 0) != (failed > 0) ? other.failed > 0 : other.worst.units > worst.units;
     if (worse_kind) worst = other.worst;
@@ -117,7 +125,7 @@ Comparison compare(const ColorImage& ours, const ColorImage& peers, const Limits
         const int tolerance         = std::max(allowed_around(allowed, ours, difference.x, difference.y),
                                                limits.with_perspective(difference.x, difference.y));
         const bool moves            = envelope.changes(i) && envelope.contains(i, peers.pixels[i], tolerance);
-        if (moves || limits.is_sliver(difference.x, difference.y)) {
+        if (moves || limits.is_excused(difference.x, difference.y)) {
             ++result.edge;
         } else {
             ++result.failed;

@@ -9,8 +9,8 @@
 //   1/512, so the surface is displaced by no more than that at any point of a triangle; what may have passed over the
 //   centre of the pixel (an edge, the line where two surfaces meet, a texel) does pass over it under one of the
 //   nudges.
-// - Some triangle is there thinner than what snapping moves its vertices by (pass_geometry.h), so that it may be seen
-//   in one picture only, and nudges of the whole do not show it.
+// - What is known of the triangles there excuses it (pass_geometry.h): one is thinner than what snapping moves its
+//   vertices by, so that it may be seen in one picture only, and nudges of the whole do not show it.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct Limits {
     std::function<std::vector<int>()> by_rounding;      // for each pixel
     std::function<int(int x, int y)> with_perspective;  // at least by_rounding
     std::function<Envelope()> envelope;
-    std::function<bool(int x, int y)> is_sliver;
+    std::function<bool(int x, int y)> is_excused;
 };
 
 struct Difference {
@@ -59,6 +59,11 @@ struct Comparison {
     double mean() const;  // of peer - ours, in units
     void add(const Comparison& other);
 };
+
+// A rule that is broken everywhere by less than a pixel shows: in a picture large enough to tell, differences lean to one
+// side (roundings of both kinds leave a mean of 0.03 at most, a floor in place of the nearest 0.1 and more), or too many
+// pixels are excused as edges.
+bool is_suspect(const Comparison& comparison);
 
 // Of two pictures of the same size.
 Comparison compare(const pipeline::ColorImage& ours, const pipeline::ColorImage& peers, const Limits& limits);

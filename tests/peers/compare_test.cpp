@@ -22,7 +22,7 @@ Limits limits(const ColorImage& ours, int allowed) {
     return {.by_rounding      = [=] { return std::vector(ours.pixels.size(), allowed); },
             .with_perspective = [=](int, int) { return allowed; },
             .envelope         = [=] { return Envelope(ours); },
-            .is_sliver        = [](int, int) { return false; }};
+            .is_excused       = [](int, int) { return false; }};
 }
 
 pipeline::Pass triangles_pass() {
@@ -96,7 +96,7 @@ TEST_CASE("an edge pixel lies within what nudges show, widened by what is allowe
 TEST_CASE("a sliver excuses any value, but only where it is", "[peers]") {
     const ColorImage ours   = row({0, 0});
     Limits with_sliver      = limits(ours, 0);
-    with_sliver.is_sliver   = [](int x, int) { return x == 1; };
+    with_sliver.is_excused  = [](int x, int) { return x == 1; };
     const Comparison result = compare(ours, row({0xff, 0xff}), with_sliver);
     CHECK(result.edge == 1);
     CHECK(result.failed == 1);
@@ -168,4 +168,13 @@ TEST_CASE("known differences are read, and become stale", "[peers]") {
     CHECK(judge(within, nullptr) == Verdict::Failed);
     CHECK(judge({.pixels = 100}, &list[0]) == Verdict::Stale);
     CHECK(judge({.pixels = 100}, nullptr) == Verdict::Ok);
+}
+
+TEST_CASE("differences that lean to one side, or that are edges in number, are suspect", "[peers]") {
+    CHECK_FALSE(is_suspect({.pixels = 10000, .sum = 2000.0}));  // 0.05 of 40000 channels
+    CHECK(is_suspect({.pixels = 10000, .sum = 2001.0}));
+    CHECK(is_suspect({.pixels = 10000, .sum = -2001.0}));
+    CHECK_FALSE(is_suspect({.pixels = 9999, .sum = 39996.0}));  // too small to tell
+    CHECK_FALSE(is_suspect({.pixels = 10000, .edge = 10}));
+    CHECK(is_suspect({.pixels = 10000, .edge = 11}));
 }

@@ -73,6 +73,20 @@ bool projects_from_behind(const Frame& frame, const Pass& pass) {
     });
 }
 
+// The frame takes w of the position in camera space for 1; OpenGL multiplies by it.
+bool projects_by_projective_matrix(const Frame& frame, const Pass& pass) {
+    const auto is_affine = [](const Mat4& m) {
+        return m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] == 1.0f;
+    };
+    return any_stage(pass, [&](const TextureStage& stage) {
+        return stage.coords == CoordSource::CameraPosition && any_draw(pass, [&](const Draw& draw) {
+                   const auto* triangles = std::get_if<DrawTriangles>(&draw);
+                   return triangles != nullptr &&
+                          !(is_affine(triangles->world) && is_affine(at(frame.cameras, pass.camera).view));
+               });
+    });
+}
+
 // One thing that the API does not have.
 struct Limit {
     const char* what;
@@ -94,6 +108,7 @@ constexpr Limit kLimits[] = {
     {"no texture stage that reads the specular colour",
      [](const Frame&, const Pass& pass) { return any_stage(pass, reads_specular); }},
     {"no texture projected from behind", projects_from_behind},
+    {"no texture projected by a projective matrix", projects_by_projective_matrix},
     {"no copy that halves", [](const Frame&, const Pass& pass) { return any_draw(pass, halves); }},
     {"no lighting by a matrix without inverse",
      [](const Frame& frame, const Pass& pass) {
@@ -131,10 +146,14 @@ void make_expressible(Frame& frame) {
         for (TextureStage& stage : state.stages)
             for (TextureArg* arg : {&stage.color_arg1, &stage.color_arg2, &stage.alpha_arg1, &stage.alpha_arg2})
                 if (arg->source == ArgSource::Specular) arg->source = ArgSource::Diffuse;
+        // OpenGL's alpha is a fraction, which is never equal to a byte's 255th (gl_state.cpp).
+        CompareFunc& alpha = state.alpha_test.func;
+        if (alpha == CompareFunc::Equal) alpha = CompareFunc::LessEqual;
+        if (alpha == CompareFunc::NotEqual) alpha = CompareFunc::Greater;
         make_expressible(state.lighting);
         // Mesa does not clamp the sum of the two colours before fog.
         if (state.fog.mode != FogMode::None) state.lighting.specular_enable = false;
-        if (projects_from_behind(frame, pass))
+        if (projects_from_behind(frame, pass) || projects_by_projective_matrix(frame, pass))
             for (TextureStage& stage : state.stages) stage.coords = CoordSource::Vertex0;
         // How fast coordinates change at a pixel of a triangle, and so the level of detail, is left to the driver.
         if (pass.camera)

@@ -43,6 +43,10 @@ std::optional<Driver> find_driver(std::string_view name) {
     return std::nullopt;
 }
 
+bool is_driver(Driver driver) {
+    return gl_string(GL_RENDERER).find(driver_name(driver)) != std::string::npos;
+}
+
 GlContext::GlContext(Driver driver) {
     choose(driver);
     const auto get_display =
@@ -55,7 +59,7 @@ GlContext::GlContext(Driver driver) {
     context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
     if (context_ == EGL_NO_CONTEXT || !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
         throw std::runtime_error("EGL gives no OpenGL context");
-    if (description().find(driver_name(driver)) == std::string::npos)
+    if (!is_driver(driver))
         throw std::runtime_error("the driver is '" + description() + "' in place of " +
                                  std::string(driver_name(driver)));
 }

@@ -14,6 +14,9 @@ enum class Driver { Llvmpipe, Softpipe };
 std::string_view driver_name(Driver driver);
 std::optional<Driver> find_driver(std::string_view name);
 
+// Of the current context.
+bool is_driver(Driver driver);
+
 class GlContext {
   public:
     // Current on the calling thread until it is destroyed. Throws std::runtime_error if Mesa does not give that

@@ -36,7 +36,8 @@ void copy(const Pass& pass, const CopyRectangle& draw, GlMemory& memory) {
 
 }  // namespace
 
-GlExecutor::GlExecutor(const Frame& frame) : frame_(frame), memory_(frame) {
+GlExecutor::GlExecutor(const Frame& frame, std::optional<WindowTriangles> given)
+    : frame_(frame), given_(given), memory_(frame) {
     check_errors();
 }
 
@@ -46,24 +47,21 @@ void GlExecutor::draw_pass(std::size_t index) {
     set_scissor(area_of(frame_, pass).scissor);
     clear(pass.clear);
     set_fragment_state(pass.state);
+    const auto draw_given = [&](const DrawTriangles& draw) {
+        if (given_)
+            draw_window_triangles(frame_, pass, draw, *given_, memory_);
+        else
+            draw_triangles(frame_, pass, draw, memory_);
+    };
     for (const Draw& draw : pass.draws)
-        std::visit(Overloaded{[&](const DrawTriangles& d) { draw_triangles(frame_, pass, d, memory_); },
-                              [&](const DrawRectangle& d) { draw_rectangle(frame_, pass, d, memory_); },
+        std::visit(Overloaded{draw_given,
+                              [&](const DrawRectangle& d) {
+                                  const bool snaps = given_ == WindowTriangles::Snapped;
+                                  draw_rectangle(frame_, pass, snaps ? snapped(d) : d, memory_);
+                              },
                               [&](const CopyRectangle& d) { copy(pass, d, memory_); }},
                    draw);
     check_errors();
-}
-
-Drawn draw_with_gl(const Frame& frame, bool keeps_passes) {
-    GlExecutor executor(frame);
-    Drawn drawn;
-    for (std::size_t i = 0; i < frame.passes.size(); ++i) {
-        executor.draw_pass(i);
-        const TargetId color = frame.passes[i].color;
-        if (keeps_passes) drawn.passes.push_back(color ? executor.read(color) : ColorImage{});
-    }
-    drawn.output = executor.read(frame.output);
-    return drawn;
 }
 
 }  // namespace peers

@@ -6,19 +6,19 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "pipeline/execute/execute.h"
 #include "pipeline/frame/frame.h"
 #include "tests/peers/gl_memory.h"
+#include "tests/peers/gl_window.h"
 
 namespace peers {
 
 // Draws a frame pass by pass, in a current GlContext. The frame is valid, can be expressed, and outlives this.
 class GlExecutor {
   public:
-    explicit GlExecutor(const pipeline::Frame& frame);
+    // What OpenGL is given of triangles: all of them, or those that are left of the vertex stage (gl_window.h).
+    explicit GlExecutor(const pipeline::Frame& frame, std::optional<WindowTriangles> given = std::nullopt);
 
     void draw_pass(std::size_t index);
     pipeline::ColorImage read(pipeline::TargetId color) { return memory_.read(color); }
@@ -26,13 +26,8 @@ class GlExecutor {
 
   private:
     const pipeline::Frame& frame_;
+    std::optional<WindowTriangles> given_;
     GlMemory memory_;
 };
-
-struct Drawn {
-    pipeline::ColorImage output;               // Frame::output
-    std::vector<pipeline::ColorImage> passes;  // each pass's colour target after it, where there is one; if asked for
-};
-Drawn draw_with_gl(const pipeline::Frame& frame, bool keeps_passes = false);
 
 }  // namespace peers

@@ -82,30 +82,6 @@ std::array<Corner, 4> corners_of(const DrawRectangle& draw) {
     return corners;
 }
 
-void set_fog(const FogState& fog) {
-    if (fog.mode == FogMode::None) {
-        glDisable(GL_FOG);
-        return;
-    }
-    glEnable(GL_FOG);
-    glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
-    glFogi(GL_FOG_MODE, GL_LINEAR);
-    glFogf(GL_FOG_START, 1.0f);
-    glFogf(GL_FOG_END, 0.0f);
-    glFogfv(GL_FOG_COLOR, gl_color(fog.color).data());
-}
-
-// With y down front faces, counter-clockwise to OpenGL, are those that turn clockwise on the screen.
-void set_culling(CullMode cull) {
-    glFrontFace(GL_CCW);
-    if (cull == CullMode::None) {
-        glDisable(GL_CULL_FACE);
-        return;
-    }
-    glEnable(GL_CULL_FACE);
-    glCullFace(cull == CullMode::Clockwise ? GL_FRONT : GL_BACK);
-}
-
 void load_matrix(GLenum which, const glm::dmat4& matrix) {
     glMatrixMode(which);
     glLoadMatrixd(&matrix[0][0]);

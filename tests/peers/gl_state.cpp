@@ -19,11 +19,12 @@ void enable(GLenum what, bool on) {
 }
 
 // The frame compares bytes, OpenGL the fraction that will be rounded to one. a OP reference on bytes is the same as
-// that on fractions with the reference half a unit up or down, on the side that keeps every byte where it belongs.
+// that on fractions with the reference almost half a unit up or down, on the side that keeps every byte where it
+// belongs. Not quite half: llvmpipe rounds both to bytes first, and would round the reference away.
 float alpha_reference(const AlphaTestState& test) {
     const bool includes_reference_below = test.func == CompareFunc::LessEqual || test.func == CompareFunc::Greater;
     const bool includes_reference_above = test.func == CompareFunc::GreaterEqual || test.func == CompareFunc::Less;
-    const float half                    = includes_reference_below ? 0.5f : includes_reference_above ? -0.5f : 0.0f;
+    const float half                    = includes_reference_below ? 0.499f : includes_reference_above ? -0.499f : 0.0f;
     return (test.reference + half) / 255.0f;
 }
 
@@ -76,6 +77,30 @@ void set_fragment_state(const PipelineState& state) {
     glShadeModel(state.shade == ShadeMode::Flat ? GL_FLAT : GL_SMOOTH);
     glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     glDisable(GL_DITHER);
+}
+
+void set_fog(const FogState& fog) {
+    if (fog.mode == FogMode::None) {
+        glDisable(GL_FOG);
+        return;
+    }
+    glEnable(GL_FOG);
+    glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+    glFogf(GL_FOG_START, 1.0f);
+    glFogf(GL_FOG_END, 0.0f);
+    glFogfv(GL_FOG_COLOR, gl_color(fog.color).data());
+}
+
+// With y down front faces, counter-clockwise to OpenGL, are those that turn clockwise on the screen.
+void set_culling(CullMode cull) {
+    glFrontFace(GL_CCW);
+    if (cull == CullMode::None) {
+        glDisable(GL_CULL_FACE);
+        return;
+    }
+    glEnable(GL_CULL_FACE);
+    glCullFace(cull == CullMode::Clockwise ? GL_FRONT : GL_BACK);
 }
 
 }  // namespace peers

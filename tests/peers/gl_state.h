@@ -16,6 +16,10 @@ PassArea area_of(const pipeline::Frame& frame, const pipeline::Pass& pass);
 void set_scissor(const pipeline::PixelRect& scissor);
 void clear(const pipeline::Clear& clear);
 
+// Of triangles.
+void set_fog(const pipeline::FogState& fog);
+void set_culling(pipeline::CullMode cull);
+
 // Blend, colour mask, alpha and depth test, shading, and what stays off.
 void set_fragment_state(const pipeline::PipelineState& state);
 

@@ -129,6 +129,11 @@ constexpr Mistake kMistakes[] = {
              for (int column = 0; column < 4; ++column)
                  camera.projection[column][0] -= 0.4f / 640.0f * camera.projection[column][3];
      }},
+    {"blends truncated", [](Frame& frame) { frame.arithmetic.blend = BlendRule::FlipperTrunc256; }, true},
+    {"filters floored once", [](Frame& frame) { frame.arithmetic.filter = FilterRule::FlipperFloor7; }, true},
+    {"filters floored in cascade", [](Frame& frame) { frame.arithmetic.filter = FilterRule::GsFloor4; }, true},
+    {"colours floored", [](Frame& frame) { frame.arithmetic.gouraud = GouraudRule::Floor; }, true},
+    {"pixels sampled at their corners", [](Frame& frame) { frame.arithmetic.pixel_center = 0; }, true},
 };
 
 }  // namespace

@@ -17,6 +17,23 @@ namespace {
 
 constexpr int kTile     = 16;    // pixels
 constexpr double kReach = 0.05;  // pixels: 1.42 * (1/32 + 1/512), and what floats lose
+constexpr int kFiner    = 16;    // OpenGL's grid, 1/256 pixel, is this much finer than the frame's
+
+// The vertex stage drops what has no area on its grid. In a viewport this much larger that is OpenGL's grid.
+std::vector<raster::Triangle> triangles_of(const Frame& frame, Pass pass, const PixelRect& viewport) {
+    pass.state.cull = CullMode::None;
+    const PixelRect large{viewport.x0 * kFiner, viewport.y0 * kFiner, viewport.x1 * kFiner, viewport.y1 * kFiner};
+    std::vector<raster::Triangle> triangles;
+    for (const Draw& draw : pass.draws)
+        if (const auto* range = std::get_if<DrawTriangles>(&draw))
+            run_vertex_stage(frame, pass, *range, range->first_index, range->index_count, large, triangles);
+    for (raster::Triangle& triangle : triangles)
+        for (raster::Vertex& vertex : triangle) {
+            vertex.x /= float{kFiner};
+            vertex.y /= float{kFiner};
+        }
+    return triangles;
+}
 
 glm::dvec2 place(const raster::Vertex& vertex) {
     return {vertex.x, vertex.y};
@@ -38,6 +55,25 @@ int edges_near(const raster::Triangle& triangle, const glm::dvec2& point) {
     for (std::size_t i = 0; i < 3; ++i)
         count += distance_to_edge(place(triangle[i]), place(triangle[(i + 1) % 3]), point) <= kReach;
     return count;
+}
+
+bool is_on_edge(const raster::Subpixel& a, const raster::Subpixel& b, const raster::Subpixel& point) {
+    const bool is_beside = point.x < std::min(a.x, b.x) || point.x > std::max(a.x, b.x) ||
+                           point.y < std::min(a.y, b.y) || point.y > std::max(a.y, b.y);
+    return !is_beside && (b.x - a.x) * (point.y - a.y) == (b.y - a.y) * (point.x - a.x);
+}
+
+bool is_on_edge(const raster::Triangle& triangle, const raster::Subpixel& point) {
+    std::array<raster::Subpixel, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = raster::snap_to_subpixels({}, triangle[i].x, triangle[i].y);
+    return is_on_edge(corners[0], corners[1], point) || is_on_edge(corners[1], corners[2], point) ||
+           is_on_edge(corners[2], corners[0], point);
+}
+
+bool is_on_edge(const DrawRectangle& rectangle, const raster::Subpixel& point) {
+    const raster::Subpixel a = raster::snap_to_subpixels({}, rectangle.x0, rectangle.y0);
+    const raster::Subpixel b = raster::snap_to_subpixels({}, rectangle.x1, rectangle.y1);
+    return point.x == a.x || point.x == b.x || point.y == a.y || point.y == b.y;
 }
 
 // The corners' weights at a point, if the triangle covers it or nearly.
@@ -71,24 +107,18 @@ double perspective_difference(const raster::Triangle& triangle, const std::array
 
 }  // namespace
 
-PassGeometry::PassGeometry(const Frame& frame, std::size_t index) {
-    const Pass& drawn    = frame.passes[index];
+PassGeometry::PassGeometry(const Frame& frame, std::size_t index) : pass_(frame.passes[index]) {
+    const Pass& drawn    = pass_;
     const Target& target = frame.targets[static_cast<std::size_t>((drawn.color ? drawn.color : drawn.depth).index)];
     width_               = (target.width + kTile - 1) / kTile;
     height_              = (target.height + kTile - 1) / kTile;
     tiles_.resize(static_cast<std::size_t>(width_ * height_));
 
-    std::vector<raster::Triangle> triangles;
     for (std::size_t i = 0; i <= index; ++i) {
-        Pass pass = frame.passes[i];
+        const Pass& pass = frame.passes[i];
         if (i != index && !(pass.depth && pass.depth == drawn.depth)) continue;
-        pass.state.cull = CullMode::None;
-        triangles.clear();
-        for (const Draw& draw : pass.draws)
-            if (const auto* range = std::get_if<DrawTriangles>(&draw))
-                run_vertex_stage(frame, pass, *range, range->first_index, range->index_count,
-                                 area_of(frame, pass).viewport, triangles);
-        for (const raster::Triangle& triangle : triangles) add(triangle, i == index);
+        for (const raster::Triangle& triangle : triangles_of(frame, pass, area_of(frame, pass).viewport))
+            add(triangle, i == index);
     }
 }
 
@@ -112,6 +142,18 @@ bool PassGeometry::has_sliver(int x, int y) const {
     const auto& triangles = near(x, y);
     return std::any_of(triangles.begin(), triangles.end(),
                        [&](const NearTriangle& triangle) { return edges_near(triangle.corners, center) >= 2; });
+}
+
+bool PassGeometry::has_tie(int x, int y) const {
+    constexpr int kCenter = raster::kSubpixels / 2;
+    const raster::Subpixel center{x * raster::kSubpixels + kCenter, y * raster::kSubpixels + kCenter};
+    const auto& triangles = near(x, y);
+    return std::any_of(triangles.begin(), triangles.end(),
+                       [&](const NearTriangle& near) { return near.is_of_pass && is_on_edge(near.corners, center); }) ||
+           std::any_of(pass_.draws.begin(), pass_.draws.end(), [&](const Draw& draw) {
+               const auto* rectangle = std::get_if<DrawRectangle>(&draw);
+               return rectangle != nullptr && is_on_edge(*rectangle, center);
+           });
 }
 
 double PassGeometry::perspective(int x, int y) const {

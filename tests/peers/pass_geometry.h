@@ -17,11 +17,15 @@ namespace peers {
 
 class PassGeometry {
   public:
-    // Of a pass, and for slivers of those before it that its depth comes from.
+    // Of a pass, and for slivers of those before it that its depth comes from. The frame outlives this.
     PassGeometry(const pipeline::Frame& frame, std::size_t index);
 
     // Do two edges of one triangle come too near to the centre of pixel (x, y)?
     bool has_sliver(int x, int y) const;
+
+    // Is the centre exactly on an edge of a triangle or rectangle of the pass, snapped to our grid? There is a rule for
+    // ties, which softpipe, whose edges are floats, does not keep.
+    bool has_tie(int x, int y) const;
 
     // The greatest difference of the two interpolations there, of any colour, alpha or fog of any triangle, in units
     // of 255.
@@ -35,6 +39,7 @@ class PassGeometry {
     void add(const raster::Triangle& triangle, bool is_of_pass);
     const std::vector<NearTriangle>& near(int x, int y) const;
 
+    const pipeline::Pass& pass_;
     int width_ = 0, height_ = 0;                    // in tiles
     std::vector<std::vector<NearTriangle>> tiles_;  // culled triangles too
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // nimbus7_peers [--driver llvmpipe|softpipe] [--passes] [--random N] [--mistakes] [FRAME...]
 // Draws frames with pipeline::execute and with OpenGL, and compares: the built-in scenes, the frame files given or
-// else those of demo/frames, and N random frames. Without --driver, with each driver in a process of its own.
+// else those of demo/frames, and N random frames, these in two halves (compare_frame.h). Without --driver, with each
+// driver in a process of its own.
 // --passes prints a line for each pass. --mistakes shows instead that the comparison would see what is wrong
 // (mistakes.h): each mistake, in some frame that it changes. Exit status 1 if a frame differs by more than its bounds
 // or a known difference is stale, 2 for bad input.
@@ -105,13 +106,13 @@ class Run {
             if (known.driver == driver_) known_[known.frame] = known;
     }
 
-    void compare(const std::string& name, const pipeline::Frame& frame) {
+    void compare(const std::string& name, const pipeline::Frame& frame, Part part = Part::Whole) {
         if (const auto reason = cannot_express(frame)) {
             ++skipped_;
             std::printf("%-28s %-8s skipped: %s\n", name.c_str(), driver_.c_str(), reason->c_str());
             return;
         }
-        const std::vector<PassComparison> passes = compare_passes(frame, frame);
+        const std::vector<PassComparison> passes = compare_passes(frame, frame, part);
         if (prints_passes_)
             for (const PassComparison& pass : passes) print("  " + pass.label, pass.comparison, "");
         const Comparison sum         = total(passes);
@@ -120,6 +121,11 @@ class Run {
         compared_names_.insert(name);
         const Verdict verdict = judge(sum, known);
         if (verdict == Verdict::Failed || verdict == Verdict::Stale) failed_ = true;
+        for (const PassComparison& pass : passes)
+            if (is_suspect(pass.comparison)) {
+                print(pass.label, pass.comparison, "FAILED: differences lean to one side, or too many edges");
+                failed_ = true;
+            }
         ++compared_;
         print(name, sum, describe(verdict, known));
         std::fflush(stdout);
@@ -183,18 +189,45 @@ std::vector<std::string> frame_files() {
     return files;
 }
 
+// Every alpha from the left to the right over one colour: large enough to tell how a blend rounds.
+pipeline::Frame blend_ramp() {
+    using namespace pipeline;
+    Frame frame;
+    frame.output  = {0};
+    frame.targets = {{.name = "picture", .width = 256, .height = 256}};
+    frame.cameras.resize(1);
+    Pass& pass       = frame.passes.emplace_back();
+    pass.label       = "over";
+    pass.color       = {0};
+    pass.camera      = {0};
+    pass.clear.color = Argb{0xff40c080};
+    pass.state.blend = kAlphaOver;
+    for (const float y : {1.0f, -1.0f})
+        for (const float x : {-1.0f, 1.0f}) {
+            Vertex& vertex  = frame.vertices.emplace_back();
+            vertex.position = {x, y, 0.0f};
+            vertex.diffuse  = {(x > 0.0f ? 0xff000000 : 0) | (y > 0.0f ? 0xd02010u : 0x1080f0u)};
+        }
+    frame.indices = {0, 1, 2, 2, 1, 3};
+    pass.draws    = {DrawTriangles{.index_count = 6}};
+    return frame;
+}
+
 struct NamedFrame {
     std::string name;
     pipeline::Frame frame;
+    bool is_random = false;
 };
 
 std::vector<NamedFrame> frames_of(const Arguments& arguments) {
     std::vector<NamedFrame> frames;
-    if (arguments.frames.empty())
+    if (arguments.frames.empty()) {
+        frames.push_back({"blend_ramp", blend_ramp()});
         for (const demo::EmbeddedText& scene : demo::embedded_scenes()) {
             const std::string name(scene.name);
             frames.push_back({name, demo::FrameSource(name).frame(kSceneSize, 0)});
         }
+    }
     for (const std::string& file : arguments.frames.empty() ? frame_files() : arguments.frames) {
         const demo::FrameSource source(file);
         frames.push_back(
@@ -202,7 +235,7 @@ std::vector<NamedFrame> frames_of(const Arguments& arguments) {
     }
     for (int seed = 0; seed < arguments.random_frames; ++seed) {
         NamedFrame random{"random-" + std::to_string(seed),
-                          test_support::random_frame(static_cast<std::uint32_t>(seed))};
+                          test_support::random_frame(static_cast<std::uint32_t>(seed)), true};
         make_expressible(random.frame);
         frames.push_back(std::move(random));
     }
@@ -211,7 +244,14 @@ std::vector<NamedFrame> frames_of(const Arguments& arguments) {
 
 int run(const Arguments& arguments) {
     Run run(*arguments.driver, arguments.prints_passes);
-    for (const NamedFrame& named : frames_of(arguments)) run.compare(named.name, named.frame);
+    for (const NamedFrame& named : frames_of(arguments)) {
+        if (named.is_random) {
+            run.compare(named.name + "-raster", named.frame, Part::Raster);
+            run.compare(named.name + "-vertices", named.frame, Part::Vertices);
+        } else {
+            run.compare(named.name, named.frame);
+        }
+    }
     return run.finish(arguments.frames.empty());
 }
 
@@ -219,6 +259,10 @@ int run_mistakes(const Arguments& arguments) {
     const GlContext context(*arguments.driver);
     std::vector<NamedFrame> frames = frames_of(arguments);
     std::erase_if(frames, [](const NamedFrame& named) { return cannot_express(named.frame).has_value(); });
+    // A frame with a known difference shows a mistake by differing more than that.
+    std::map<std::string, KnownDifference> known;
+    for (const KnownDifference& each : read_known_differences(kSource + "/tests/known_differences.txt"))
+        if (each.driver == driver_name(*arguments.driver)) known[each.frame] = each;
     int missed = 0;
     for (const Mistake& mistake : mistakes()) {
         // The smaller frames first: the first that shows it is enough.
@@ -227,8 +271,15 @@ int run_mistakes(const Arguments& arguments) {
             pipeline::Frame wrong = named->frame;
             mistake.make(wrong);
             if (wrong == named->frame) continue;
-            const Comparison sum = total(compare_passes(named->frame, wrong));
-            if (sum.failed > 0) seen = named->name + ": " + std::to_string(sum.failed) + " pixels";
+            const std::vector<PassComparison> passes =
+                mistake.is_ours ? compare_passes(wrong, named->frame) : compare_passes(named->frame, wrong);
+            const Comparison sum = total(passes);
+            const auto found     = known.find(named->name);
+            if (judge(sum, found != known.end() ? &found->second : nullptr) == Verdict::Failed)
+                seen = named->name + ": " + std::to_string(sum.failed) + " pixels";
+            for (const PassComparison& pass : passes)
+                if (seen.empty() && is_suspect(pass.comparison))
+                    seen = named->name + ": mean " + std::to_string(pass.comparison.mean()) + " in " + pass.label;
         }
         missed += seen.empty();
         std::printf("%-48s %s\n", std::string(mistake.name).c_str(),

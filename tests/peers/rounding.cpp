@@ -150,10 +150,19 @@ bool shares_weight(const BlendState& blend) {
            is(BlendFactor::SourceColor, BlendFactor::InvSourceColor);
 }
 
+bool is_fraction(BlendFactor factor) {
+    return factor != BlendFactor::Zero && factor != BlendFactor::One;
+}
+
+// What one layer is rounded by: once here; in OpenGL the source, and each product.
+double blend_roundings(const BlendState& blend) {
+    return kRounding * (2 + is_fraction(blend.source) + is_fraction(blend.dest));
+}
+
 // Of one channel whose source has this error.
 double channel_error(const BlendState& blend, double source, const FragmentError& error, int layers) {
-    constexpr double kTwoRoundings = 2.0 * kRounding;  // ours, and OpenGL's of what it stores
-    if (shares_weight(blend)) return source + layers * (factor_error(blend.source, error) + kTwoRoundings);
+    const double roundings = blend_roundings(blend);
+    if (shares_weight(blend)) return source + layers * (factor_error(blend.source, error) + roundings);
     double total = 0.0;
     for (int i = 0; i < layers && total < 255.0; ++i) {
         const double from_source =
@@ -163,7 +172,7 @@ double channel_error(const BlendState& blend, double source, const FragmentError
         const double from_dest = blend.dest == BlendFactor::Zero
                                      ? 0.0
                                      : total + (reads_dest(blend.dest) ? total : factor_error(blend.dest, error));
-        total                  = from_source + from_dest + kTwoRoundings;
+        total                  = from_source + from_dest + roundings;
     }
     return total;
 }
