@@ -126,12 +126,13 @@ void add_profiles(CLI::App& app, Arguments& arguments) {
     CLI::App* command =
         app.add_subcommand("profiles", "List the chips, or say how one computes and where that is known from");
     command->add_option("PROFILE", arguments.profile, "The chip: ideal, dx7, ps2, gamecube or xbox");
-    command->add_flag("--open")->description("Print what is not known of any of them");
+    command->add_flag("--open")->description("Print what is not known, of PROFILE or of all of them");
     command->callback([command, &arguments] {
-        if (command->count("PROFILE") > 0)
-            print(description(parse_profile(arguments.profile)));
+        const pipeline::Profile* profile = command->count("PROFILE") > 0 ? &parse_profile(arguments.profile) : nullptr;
+        if (command->count("--open") > 0)
+            print(open_questions(profile));
         else
-            print(command->count("--open") > 0 ? open_questions() : list_of_profiles());
+            print(profile != nullptr ? description(*profile) : list_of_profiles());
     });
 }
 

@@ -76,6 +76,22 @@ std::string names_of(const std::vector<Enum>& values) {
     return names;
 }
 
+std::string yes_or_no(bool value) {
+    return value ? "yes" : "no";
+}
+
+std::string copies_of(const pipeline::ChipFormats& formats) {
+    if (!formats.copies && !formats.copies_halve) return "no";
+    return "to " + names_of(formats.copy_targets) + (formats.copies_convert ? "" : ", within one format") +
+           (formats.copies_halve ? ", whole or halved" : ", whole");
+}
+
+std::vector<pipeline::TextureOp> functions_of(pipeline::CombineRule rule) {
+    std::vector<pipeline::TextureOp> ops = pipeline::all_of<pipeline::TextureOp>();
+    std::erase_if(ops, [&](pipeline::TextureOp op) { return !has_rule(rule, op); });
+    return ops;
+}
+
 }  // namespace
 
 std::string list_of_profiles() {
@@ -97,10 +113,38 @@ std::string list_of_profiles() {
 std::string description(const Profile& profile) {
     std::string text              = std::string(profile.name) + ": " + std::string(profile.chip) + "\n\n";
     const std::string_view indent = "    ";
-    text += wrapped("colour targets: ", indent, names_of(profile.color_formats));
-    text += wrapped("depth targets: ", indent, names_of(profile.depth_formats));
-    text += wrapped("depth functions: ", indent, names_of(profile.depth_funcs));
-    text += wrapped("alpha functions: ", indent, names_of(profile.alpha_funcs));
+    const auto add                = [&](std::string_view name, const std::string& value) {
+        text += wrapped(std::string(name) + ": ", indent, value);
+    };
+    const pipeline::ChipFormats& formats = profile.formats;
+    const pipeline::ChipStates& states   = profile.states;
+    add("draws to", names_of(formats.draw));
+    add("depth", names_of(formats.depth) + (formats.pairs_depth ? "; D16 with 16 bit colours alone" : ""));
+    add("copies", copies_of(formats));
+    add("reads as a texture what it draws to", yes_or_no(formats.reads_targets));
+    add("depth functions", names_of(states.depth_funcs));
+    if (profile.arithmetic.blend == pipeline::BlendRule::GsShift7) {
+        add("blends", "(A - B) * C + D, of register ALPHA");
+    } else {
+        add("source blend factors", names_of(states.source_factors));
+        add("destination blend factors", names_of(states.dest_factors));
+    }
+    add("dithers", names_of(states.dithers));
+    add("colour mask", std::string(enum_name(states.color_mask)));
+    add("test of the target's alpha", yes_or_no(states.dest_alpha_test));
+    add("alpha test failed", names_of(states.alpha_fails));
+    add("scissor", yes_or_no(states.scissor));
+    add("culling", yes_or_no(states.culling));
+    add("flat shading by vertex", std::string(enum_name(states.flat)));
+    add("second colour added", yes_or_no(states.specular_addition));
+    add("texture stages", std::to_string(states.stages));
+    add("stage arguments", names_of(states.arguments) + (states.complement ? ", complemented" : "") +
+                               (states.alpha_replicate ? ", alpha in every channel" : ""));
+    add("texture functions", profile.arithmetic.combine == pipeline::CombineRule::GsShift7
+                                 ? "MODULATE DECAL HIGHLIGHT HIGHLIGHT2, of register TEX0"
+                                 : names_of(functions_of(profile.arithmetic.combine)));
+    add("texture addresses", names_of(states.addresses));
+    add("mip filters", names_of(states.mip_filters));
     const auto rules = rules_of(profile);
     for (const Evidence& evidence : profile.evidence) {
         text += '\n';
@@ -117,14 +161,16 @@ std::string description(const Profile& profile) {
     return text;
 }
 
-std::string open_questions() {
+std::string open_questions(const Profile* only) {
     std::string text;
-    for (const Profile& profile : pipeline::profiles())
+    for (const Profile& profile : pipeline::profiles()) {
+        if (only != nullptr && only != &profile) continue;
         for (const Evidence& evidence : profile.evidence)
             if (!evidence.open.empty())
                 text += wrapped("- ", "  ",
                                 '`' + std::string(profile.name) + "`, " + std::string(evidence.topic) + ": " +
                                     std::string(evidence.open) + '.');
+    }
     return text;
 }
 

@@ -10,9 +10,9 @@ namespace demo {
 
 // The chips, and a table of their arithmetic.
 std::string list_of_profiles();
-// Formats, functions, and each rule with its formula, source, evidence and what is open.
+// Formats, states, and each rule with its formula, source, evidence and what is open.
 std::string description(const pipeline::Profile& profile);
-// What is not known of all of them, as a list in Markdown.
-std::string open_questions();
+// What is not known of one, or of all, as a list in Markdown.
+std::string open_questions(const pipeline::Profile* profile = nullptr);
 
 }  // namespace demo

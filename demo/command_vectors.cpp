@@ -30,7 +30,7 @@ using Json   = nlohmann::ordered_json;
 constexpr std::string_view kNotation =
     "Values are bytes, 0..255. Arrays are in C order: the last axis is the fastest. In formulas / is exact, >> is "
     "floor division by a power of two, floor() rounds down, clamp() is to 0..255; s is the fragment, d the pixel "
-    "there before. A frame's answer in words, where its comment gives one, is that of the profile ideal.";
+    "there before. A frame's comment says what it shows; an answer in it is this profile's.";
 
 std::string in(const std::string& directory, const std::string& name) {
     return (fs::path(directory) / name).string();
@@ -54,10 +54,13 @@ Json to_json(const Evidence& evidence) {
     return json;
 }
 
-// Consecutive numbers as a range.
+// Two or more numbers, each one more than the one before it, as a range.
 Axis shortened(const Axis& axis) {
-    const auto* values = std::get_if<std::vector<int>>(&axis.values);
-    if (values == nullptr || values->back() - values->front() != static_cast<int>(values->size()) - 1) return axis;
+    const auto* values         = std::get_if<std::vector<int>>(&axis.values);
+    const auto does_not_follow = [](int one, int next) { return next != one + 1; };
+    if (values == nullptr || values->size() < 2 ||
+        std::adjacent_find(values->begin(), values->end(), does_not_follow) != values->end())
+        return axis;
     return {axis.name, AxisRange{values->front(), values->back()}};
 }
 

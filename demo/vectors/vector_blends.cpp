@@ -24,9 +24,11 @@ struct Mode {
     std::string_view color, alpha;
 };
 using enum BlendFactor;
+constexpr Mode kOver    = {SourceAlpha, InvSourceAlpha, ThirdInput::SourceAlpha, "s * a + d * (255 - a)",
+                           "s * s + d * (255 - s)"};
 constexpr Mode kModes[] = {
     {One, Zero, ThirdInput::None, "s * 255", "s * 255"},
-    {SourceAlpha, InvSourceAlpha, ThirdInput::SourceAlpha, "s * a + d * (255 - a)", "s * s + d * (255 - s)"},
+    kOver,
     {Zero, SourceColor, ThirdInput::None, "d * s", "d * s"},
     {DestColor, Zero, ThirdInput::None, "s * d", "s * d"},
     {Zero, SourceAlpha, ThirdInput::None, "d * s", "d * s"},
@@ -119,19 +121,24 @@ class BlendTables {
 
 void add_blend_tables(const Profile& profile, Prober& prober, std::vector<VectorTable>& tables) {
     BlendTables add(profile, prober, tables);
-    // Where alpha is kept, and where colours are whole bytes: the GameCube has no format that does both.
-    const TargetFormat with_alpha_kept = profile.color_formats.front(), whole = byte_format(profile);
+    // The GameCube has no format that keeps both alpha and whole bytes of colour.
+    const TargetFormat with_alpha = profile.formats.with_alpha, with_bytes = profile.formats.with_bytes;
+    const auto is_among = [](BlendFactor factor, const std::vector<BlendFactor>& factors) {
+        return std::find(factors.begin(), factors.end(), factor) != factors.end();
+    };
     for (const Mode& mode : kModes) {
-        const TargetFormat color = mode.third == ThirdInput::DestAlpha ? with_alpha_kept : whole;
-        add.add_color(mode, color, "r", color == whole ? "" : suffix_of(color));
-        add.add_alpha(mode, with_alpha_kept);
+        if (!is_among(mode.source, profile.states.source_factors) || !is_among(mode.dest, profile.states.dest_factors))
+            continue;
+        const TargetFormat color = mode.third == ThirdInput::DestAlpha ? with_alpha : with_bytes;
+        add.add_color(mode, color, "r", color == with_bytes ? "" : suffix_of(color));
+        add.add_alpha(mode, with_alpha);
     }
-    for (const TargetFormat format : profile.color_formats) {
-        const auto count = [&](std::string_view channel) { return prober.levels(format, channel).size(); };
-        if (count("r") == 256) continue;
+    for (const TargetFormat format : profile.formats.draw) {
+        if (keeps_bytes(format)) continue;
         const std::string suffix = suffix_of(format);
-        add.add_color(kModes[1], format, "r", suffix);
-        if (count("g") != count("r")) add.add_color(kModes[1], format, "g", suffix + "_green");
+        add.add_color(kOver, format, "r", suffix);
+        if (prober.levels(format, "g") != prober.levels(format, "r"))
+            add.add_color(kOver, format, "g", suffix + "_green");
     }
 }
 

@@ -42,18 +42,9 @@ Frame fog_frame(const Prober& prober, TargetFormat format, int fog_color) {
     return frame;
 }
 
-std::string_view expression_of(FogRule rule) {
-    switch (rule) {
-        case FogRule::Nearest255:
-            return "floor((f * c + (255 - f) * k + 127) / 255)";
-        case FogRule::GsFloor256:
-            return "(f * c + (256 - f) * k) >> 8";
-        case FogRule::GsTwoFloors:
-            return "(f * c >> 8) + ((255 - f) * k >> 8)";
-        case FogRule::FlipperFloor256:
-            return "(e * c + (256 - e) * k) >> 8 with e = f + (f >> 7)";
-    }
-    return {};
+// What follows the colon of a formula.
+std::string value_of(std::string_view formula) {
+    return std::string(formula.substr(formula.find(": ") + 2));
 }
 
 void add_fog(const Profile& profile, const Prober& prober, FogRule rule, const std::string& suffix,
@@ -62,10 +53,10 @@ void add_fog(const Profile& profile, const Prober& prober, FogRule rule, const s
                       .topic      = "fog",
                       .rule       = std::string(enum_name(rule)),
                       .what       = "vertex fog of factor f between the texel c and the fog colour k",
-                      .expression = std::string(expression_of(rule)),
+                      .expression = value_of(formula(rule)),
                       .formula    = formula(rule),
                       .axes       = {{"fog_color_k", kFogColors}, {"factor_f", AxisRange{}}, {"color_c", AxisRange{}}},
-                      .draw       = [rule, format = byte_format(profile), arithmetic = prober.arithmetic()] {
+                      .draw       = [rule, format = profile.formats.with_bytes, arithmetic = prober.arithmetic()] {
                           Arithmetic other = arithmetic;
                           other.fog        = rule;
                           Prober with_rule(other);

@@ -25,6 +25,15 @@ std::string operand(GsColor color) {
     return color == GsColor::Cs ? "s" : color == GsColor::Cd ? "d" : "0";
 }
 
+// ((A - B) * C >> 7) + D without zeros.
+std::string sum_of(const GsBlend& blend) {
+    const std::string a = operand(blend.a), b = operand(blend.b), d = operand(blend.d);
+    if (blend.a == blend.b) return d;
+    const std::string factor  = b == "0" ? a : a == "0" ? "-" + b : "(" + a + " - " + b + ")";
+    const std::string product = factor + " * c >> 7";
+    return d == "0" ? product : "(" + product + ") + " + d;
+}
+
 std::string hexadecimal(int byte) {
     char text[3];
     std::snprintf(text, sizeof text, "%02x", static_cast<unsigned>(byte));
@@ -97,8 +106,7 @@ class GsBlendTables {
     }
 
     VectorTable described(const std::string& name, TargetFormat format, const GsBlend& blend) const {
-        const std::string sum =
-            "((" + operand(blend.a) + " - " + operand(blend.b) + ") * c >> 7) + " + operand(blend.d);
+        const std::string sum  = sum_of(blend);
         std::string expression = blend.colclamp ? "min(255, max(0, " + sum + "))" : "(" + sum + ") & 255";
         if (blend.pabe) expression = "c < 0x80 ? s : " + expression;
         if (format == TargetFormat::Psmct24 && blend.c == GsAlpha::Ad) expression += ", c being 0x80";

@@ -148,10 +148,4 @@ Texture ramp_texture() {
     return ramp;
 }
 
-TargetFormat byte_format(const Profile& profile) {
-    // The GameCube draws with alpha only to 6 bits.
-    const TargetFormat first = profile.color_formats.front();
-    return first == TargetFormat::R6G6B6A6 ? TargetFormat::X8R8G8B8 : first;
-}
-
 }  // namespace demo

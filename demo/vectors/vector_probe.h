@@ -76,7 +76,4 @@ pipeline::Frame probe_frame(pipeline::TargetFormat format, int width, int height
 // The texture of 256 columns, to be texture 0.
 pipeline::Texture ramp_texture();
 
-// The whole-byte format in which a profile's results can be seen.
-pipeline::TargetFormat byte_format(const pipeline::Profile& profile);
-
 }  // namespace demo

@@ -56,19 +56,24 @@ void add_dithered_store(Prober& prober, TargetFormat format, const PipelineState
 }
 
 void add_dithers(const Profile& profile, Prober& prober, std::vector<VectorTable>& tables) {
-    if (!has_topic(profile, "dither")) return;
-    PipelineState state;
-    if (profile.arithmetic.blend != BlendRule::GsShift7) {
-        state.dither.mode = DitherMode::Flipper2x2;
-        add_dithered_store(prober, TargetFormat::R6G6B6A6, state, 2, "_dither", "", tables);
-        return;
+    for (const TargetFormat format : profile.formats.draw) {
+        if (keeps_bytes(format)) continue;
+        for (const DitherMode mode : profile.states.dithers) {
+            if (mode == DitherMode::None) continue;
+            PipelineState state;
+            state.dither.mode = mode;
+            if (mode == DitherMode::Flipper2x2) {
+                add_dithered_store(prober, format, state, 2, "_dither", "", tables);
+                continue;
+            }
+            state.dither.matrix = kDimx;
+            std::string what    = ", with DIMX, row by row,";
+            for (const std::int32_t value : kDimx) what += ' ' + std::to_string(value);
+            add_dithered_store(prober, format, state, 4, "_dither", what + "; COLCLAMP 1", tables);
+            state.gs_blend.colclamp = false;
+            add_dithered_store(prober, format, state, 4, "_dither_colclamp0", what + "; COLCLAMP 0", tables);
+        }
     }
-    state.dither     = {.mode = DitherMode::GsDimx, .matrix = kDimx};
-    std::string what = ", with DIMX, row by row,";
-    for (const std::int32_t value : kDimx) what += ' ' + std::to_string(value);
-    add_dithered_store(prober, TargetFormat::Psmct16, state, 4, "_dither", what + "; COLCLAMP 1", tables);
-    state.gs_blend.colclamp = false;
-    add_dithered_store(prober, TargetFormat::Psmct16, state, 4, "_dither_colclamp0", what + "; COLCLAMP 0", tables);
 }
 
 // Blocks of 2x2: one pixel of `first`, three of `second`; the sums then are all that there can be.
@@ -116,12 +121,13 @@ void add_halving(Prober& prober, TargetFormat format, std::vector<VectorTable>& 
 }  // namespace
 
 void add_store_tables(const Profile& profile, Prober& prober, std::vector<VectorTable>& tables) {
-    for (const TargetFormat format : profile.color_formats) add_store(prober, format, tables);
+    for (const TargetFormat format : profile.formats.draw) add_store(prober, format, tables);
     add_dithers(profile, prober, tables);
-    for (const TargetFormat format : {TargetFormat::R6G6B6A6, TargetFormat::X8R8G8B8}) {
-        if (profile.color_formats.front() == TargetFormat::R6G6B6A6 || profile.name == "ideal")
+    if (!profile.formats.copies_halve) return;
+    // What ends in a byte: R6G6B6A6 by its own sum, and bytes.
+    for (const TargetFormat format : {TargetFormat::R6G6B6A6, TargetFormat::X8R8G8B8})
+        if (std::find(profile.formats.draw.begin(), profile.formats.draw.end(), format) != profile.formats.draw.end())
             add_halving(prober, format, tables);
-    }
 }
 
 }  // namespace demo

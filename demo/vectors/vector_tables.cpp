@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "demo/vectors/vector_tables.h"
 
-#include <algorithm>
+#include <type_traits>
 
 namespace demo {
 
 std::size_t axis_size(const Axis& axis) {
-    if (const auto* range = std::get_if<AxisRange>(&axis.values))
-        return static_cast<std::size_t>(range->last - range->first + 1);
     return std::visit(
         [](const auto& values) -> std::size_t {
-            if constexpr (requires { values.size(); }) {
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, AxisRange>)
+                return static_cast<std::size_t>(values.last - values.first + 1);
+            else
                 return values.size();
-            } else {
-                return 0;
-            }
         },
         axis.values);
 }
@@ -31,11 +28,6 @@ std::vector<VectorTable> vector_tables(const pipeline::Profile& profile, Prober&
     add_fog_tables(profile, prober, tables);
     add_test_tables(profile, prober, tables);
     return tables;
-}
-
-bool has_topic(const pipeline::Profile& profile, std::string_view topic) {
-    return std::any_of(profile.evidence.begin(), profile.evidence.end(),
-                       [&](const pipeline::Evidence& evidence) { return evidence.topic == topic; });
 }
 
 std::string lower_case(std::string_view text) {

@@ -50,7 +50,6 @@ void add_texture_tables(const pipeline::Profile& profile, Prober& prober, std::v
 void add_fog_tables(const pipeline::Profile& profile, Prober& prober, std::vector<VectorTable>& tables);
 void add_test_tables(const pipeline::Profile& profile, Prober& prober, std::vector<VectorTable>& tables);
 
-bool has_topic(const pipeline::Profile& profile, std::string_view topic);
 std::string lower_case(std::string_view text);
 
 }  // namespace demo

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The tests that a fragment must pass: 255 where it was drawn, 0 where it was not.
+#include <algorithm>
+
 #include "demo/vectors/vector_probe.h"
 
 namespace demo {
@@ -23,10 +25,10 @@ void add_alpha_test(const Profile& profile, Prober& prober, std::vector<VectorTa
          .what       = "alpha test, a fragment that fails being dropped",
          .expression = "alpha FUNC reference ? 255 : 0",
          .formula    = "unsigned bytes compare; ALWAYS and NEVER do not look",
-         .axes       = {{"func", names(profile.alpha_funcs)}, {"reference", AxisRange{}}, {"alpha", AxisRange{}}},
-         .draw       = [&prober, format = byte_format(profile), funcs = profile.alpha_funcs] {
+         .axes       = {{"func", names(all_of<CompareFunc>())}, {"reference", AxisRange{}}, {"alpha", AxisRange{}}},
+         .draw       = [&prober, format = profile.formats.with_bytes] {
              Probe probe{.format = format};
-             for (const CompareFunc func : funcs)
+             for (const CompareFunc func : all_of<CompareFunc>())
                  for (int reference = 0; reference < 256; ++reference) {
                      ProbeBand& band       = probe.bands.emplace_back();
                      band.rows             = {{}};
@@ -37,12 +39,24 @@ void add_alpha_test(const Profile& profile, Prober& prober, std::vector<VectorTa
          }});
 }
 
+// A depth format of the chip for a colour format, and the other way round: the last of each that goes with it.
+TargetFormat depth_beside(const ChipFormats& formats, TargetFormat color) {
+    return *std::find_if(formats.depth.rbegin(), formats.depth.rend(),
+                         [&](TargetFormat depth) { return go_together(formats, color, depth); });
+}
+TargetFormat color_beside(const ChipFormats& formats, TargetFormat depth) {
+    if (go_together(formats, formats.with_bytes, depth)) return formats.with_bytes;
+    return *std::find_if(formats.draw.begin(), formats.draw.end(),
+                         [&](TargetFormat color) { return go_together(formats, color, depth); });
+}
+
 // Each row, a format's fail mode, is drawn to a black pixel whose depth is 0. Column 1 then becomes black again, and
 // white once more if the depth is still below 1/2.
-Frame alpha_fail_frame(const Prober& prober, TargetFormat format) {
-    constexpr int kModes = static_cast<int>(EnumNames<AlphaFail>::names.size());
-    Frame frame          = probe_frame(format, 2, kModes);
-    frame.targets.push_back({.name = "depth", .format = TargetFormat::D16, .width = 2, .height = kModes});
+Frame alpha_fail_frame(const Prober& prober, TargetFormat format, TargetFormat depth_format,
+                       const std::vector<AlphaFail>& modes) {
+    const int count = static_cast<int>(modes.size());
+    Frame frame     = probe_frame(format, 2, count);
+    frame.targets.push_back({.name = "depth", .format = depth_format, .width = 2, .height = count});
     const auto add_pass = [&](int x0, int x1, int y0, int y1, std::uint32_t color, float depth) -> Pass& {
         Pass& pass         = frame.passes.emplace_back();
         pass.color         = {0};
@@ -52,13 +66,14 @@ Frame alpha_fail_frame(const Prober& prober, TargetFormat format) {
         pass.draws         = {draw};
         return pass;
     };
-    for (int mode = 0; mode < kModes; ++mode) {
+    for (int mode = 0; mode < count; ++mode) {
         Pass& pass            = add_pass(0, 2, mode, mode + 1, 0xffffffff, 1.0f);
         pass.state.depth      = {.func = CompareFunc::Always, .write = true};
-        pass.state.alpha_test = {.func = CompareFunc::Never, .reference = 0, .fail = static_cast<AlphaFail>(mode)};
+        pass.state.alpha_test = {
+            .func = CompareFunc::Never, .reference = 0, .fail = modes[static_cast<std::size_t>(mode)]};
     }
-    add_pass(1, 2, 0, kModes, 0xffffffff, 0.0f);
-    add_pass(1, 2, 0, kModes, 0x00000000, 0.5f).state.depth.func = CompareFunc::GreaterEqual;
+    add_pass(1, 2, 0, count, 0xffffffff, 0.0f);
+    add_pass(1, 2, 0, count, 0x00000000, 0.5f).state.depth.func = CompareFunc::GreaterEqual;
     return frame;
 }
 
@@ -68,28 +83,30 @@ std::uint8_t was_drawn(std::uint8_t red) {
 }
 
 void add_alpha_fail(const Profile& profile, Prober& prober, std::vector<VectorTable>& tables) {
-    const std::vector<AlphaFail> modes{AlphaFail::Keep, AlphaFail::FbOnly, AlphaFail::ZbOnly, AlphaFail::RgbOnly};
-    tables.push_back({.name  = "alpha_fail",
-                      .topic = "alpha_test",
-                      .rule  = "alpha_test.fail",
-                      .what = "a white, opaque fragment whose alpha test fails, over a black pixel of alpha 0: red and "
-                              "alpha of the pixel after it, and 255 if its depth was written",
-                      .expression = "see formula",
-                      .formula =
-                          "KEEP writes nothing; FB_ONLY colour and alpha; ZB_ONLY depth; RGB_ONLY colour, but also "
-                          "alpha where the target's alpha has not 8 bits",
-                      .axes = {{"format", names(profile.color_formats)},
-                               {"fail", names(modes)},
-                               {"part", std::vector<std::string>{"red", "alpha", "depth"}}},
-                      .draw = [&prober, formats = profile.color_formats] {
-                          Bytes bytes;
-                          for (const TargetFormat format : formats) {
-                              const Bytes drawn = prober.draw(alpha_fail_frame(prober, format), "ra");
-                              for (std::size_t row = 0; row < drawn.size(); row += 4)
-                                  bytes.insert(bytes.end(), {drawn[row], drawn[row + 1], was_drawn(drawn[row + 2])});
-                          }
-                          return bytes;
-                      }});
+    const std::vector<AlphaFail>& modes = profile.states.alpha_fails;
+    tables.push_back(
+        {.name       = "alpha_fail",
+         .topic      = "alpha_test",
+         .rule       = "alpha_test.fail",
+         .what       = "a white, opaque fragment whose alpha test fails, over a black pixel of alpha 0: red and "
+                       "alpha of the pixel after it, and 255 if its depth was written",
+         .expression = "see formula",
+         .formula    = "KEEP writes nothing; FB_ONLY colour and alpha; ZB_ONLY depth; RGB_ONLY colour, but also "
+                       "alpha where the target's alpha has not 8 bits",
+         .axes       = {{"format", names(profile.formats.draw)},
+                        {"fail", names(modes)},
+                        {"part", std::vector<std::string>{"red", "alpha", "depth"}}},
+         .draw       = [&prober, &profile] {
+             Bytes bytes;
+             for (const TargetFormat format : profile.formats.draw) {
+                 const Bytes drawn = prober.draw(alpha_fail_frame(prober, format, depth_beside(profile.formats, format),
+                                                                        profile.states.alpha_fails),
+                                                       "ra");
+                 for (std::size_t row = 0; row < drawn.size(); row += 4)
+                     bytes.insert(bytes.end(), {drawn[row], drawn[row + 1], was_drawn(drawn[row + 2])});
+             }
+             return bytes;
+         }});
 }
 
 void add_dest_alpha_test(const Profile& profile, Prober& prober, std::vector<VectorTable>& tables) {
@@ -101,10 +118,10 @@ void add_dest_alpha_test(const Profile& profile, Prober& prober, std::vector<Vec
          .expression =
              "bit 7 of the alpha that the target gives back is what is asked for ? white, as the target keeps it : 0",
          .formula = "DATE with DATM 0 (ZERO) and 1 (ONE); on a target without alpha nothing passes",
-         .axes    = {{"format", names(profile.color_formats)},
+         .axes    = {{"format", names(profile.formats.draw)},
                      {"test", std::vector<std::string>{"ZERO", "ONE"}},
                      {"written_alpha", AxisRange{}}},
-         .draw    = [&prober, formats = profile.color_formats] {
+         .draw    = [&prober, formats = profile.formats.draw] {
              Bytes bytes;
              for (const TargetFormat format : formats) {
                  Probe probe{.format = format, .columns = 1};
@@ -127,8 +144,8 @@ const std::vector<double> kDepths{0.0,           0x1p-25,       0x1p-24,       0
                                   0.5 + 0x1p-17, 0.75,          1.0 - 0x1p-17, 1.0 - 0x1p-24, 1.0};
 
 Frame depth_frame(const Prober& prober, const Profile& profile, TargetFormat format) {
-    const int count = static_cast<int>(kDepths.size()), funcs = static_cast<int>(profile.depth_funcs.size());
-    Frame frame = probe_frame(byte_format(profile), count, count * funcs);
+    const int count = static_cast<int>(kDepths.size()), funcs = static_cast<int>(profile.states.depth_funcs.size());
+    Frame frame = probe_frame(color_beside(profile.formats, format), count, count * funcs);
     frame.targets.push_back({.name = "depth", .format = format, .width = count, .height = count * funcs});
     Pass& stored       = frame.passes.emplace_back();
     stored.color       = {0};
@@ -143,7 +160,7 @@ Frame depth_frame(const Prober& prober, const Profile& profile, TargetFormat for
         Pass& tested            = frame.passes.emplace_back();
         tested.color            = {0};
         tested.depth            = {1};
-        tested.state.depth.func = profile.depth_funcs[static_cast<std::size_t>(func)];
+        tested.state.depth.func = profile.states.depth_funcs[static_cast<std::size_t>(func)];
         for (int column = 0; column < count; ++column) {
             DrawRectangle draw = prober.rectangle(column, func * count, column + 1, (func + 1) * count);
             draw.depth         = static_cast<float>(kDepths[static_cast<std::size_t>(column)]);
@@ -154,7 +171,7 @@ Frame depth_frame(const Prober& prober, const Profile& profile, TargetFormat for
 }
 
 void add_depth_test(const Profile& profile, Prober& prober, std::vector<VectorTable>& tables) {
-    for (const TargetFormat format : profile.depth_formats) {
+    for (const TargetFormat format : profile.formats.depth) {
         tables.push_back(
             {.name  = "depth_test_" + lower_case(enum_name(format)),
              .topic = "depth",
@@ -163,8 +180,12 @@ void add_depth_test(const Profile& profile, Prober& prober, std::vector<VectorTa
                      ", of rectangles of constant depth; the axes' values are single precision",
              .expression = "units of fragment FUNC units of stored ? 255 : 0",
              .formula    = formula(format),
-             .axes       = {{"func", names(profile.depth_funcs)}, {"stored", kDepths}, {"fragment", kDepths}},
-             .draw = [&prober, &profile, format] { return prober.draw(depth_frame(prober, profile, format), "r"); }});
+             .axes       = {{"func", names(profile.states.depth_funcs)}, {"stored", kDepths}, {"fragment", kDepths}},
+             .draw       = [&prober, &profile, format] {
+                 Bytes bytes = prober.draw(depth_frame(prober, profile, format), "r");
+                 std::transform(bytes.begin(), bytes.end(), bytes.begin(), &was_drawn);
+                 return bytes;
+             }});
     }
 }
 
@@ -172,10 +193,8 @@ void add_depth_test(const Profile& profile, Prober& prober, std::vector<VectorTa
 
 void add_test_tables(const Profile& profile, Prober& prober, std::vector<VectorTable>& tables) {
     add_alpha_test(profile, prober, tables);
-    if (has_topic(profile, "dest_alpha_test")) {
-        add_alpha_fail(profile, prober, tables);
-        add_dest_alpha_test(profile, prober, tables);
-    }
+    if (profile.states.alpha_fails.size() > 1) add_alpha_fail(profile, prober, tables);
+    if (profile.states.dest_alpha_test) add_dest_alpha_test(profile, prober, tables);
     add_depth_test(profile, prober, tables);
 }
 

@@ -44,10 +44,22 @@ constexpr bool has_three_inputs(TextureOp op) {
     return op == BlendDiffuseAlpha || op == ModulateColorAddAlpha;
 }
 
-Bytes draw_function(Prober& prober, TargetFormat format, TextureOp op) {
+// The Graphics Synthesizer adds alpha alone, in HIGHLIGHT.
+bool is_of_alpha(CombineRule rule, TextureOp op) {
+    return rule == CombineRule::GsShift7 && op == Add;
+}
+
+Bytes draw_function(Prober& prober, TargetFormat format, TextureOp op, bool is_of_alpha) {
     Probe probe{.format = format, .bands = {{.state = {}, .rows = {}}}};
-    ProbeBand& band      = probe.bands[0];
-    const bool is_lerp   = op == BlendDiffuseAlpha;
+    ProbeBand& band    = probe.bands[0];
+    const bool is_lerp = op == BlendDiffuseAlpha;
+    if (is_of_alpha) {
+        band.state.stages[0]            = {.color_op = SelectArg1, .alpha_op = op};
+        band.state.stages[0].alpha_arg1 = {.source = ArgSource::Diffuse};
+        band.state.stages[0].alpha_arg2 = {.source = ArgSource::Texture};
+        for (std::uint32_t row = 0; row < 256; ++row) band.rows.push_back({.dest = 0, .source = with_alpha(0, row)});
+        return prober.draw(probe, "a");
+    }
     band.state.stages[0] = {.color_op   = op,
                             .color_arg1 = {.source = is_lerp ? ArgSource::Texture : ArgSource::Diffuse},
                             .color_arg2 = {.source = is_lerp ? ArgSource::Diffuse : ArgSource::Texture},
@@ -62,24 +74,26 @@ void add_function(const Profile& profile, Prober& prober, const Function& functi
     const std::string_view expression = expression_of(function, profile.arithmetic.combine);
     if (expression.empty()) return;
     const TextureOp op        = function.op;
-    const TargetFormat format = byte_format(profile);
+    const bool alpha          = is_of_alpha(profile.arithmetic.combine, op);
+    const TargetFormat format = profile.formats.with_bytes;
     VectorTable table{
         .name  = "texture_" + lower_case(enum_name(op)),
         .topic = "combine",
         .rule  = std::string(enum_name(profile.arithmetic.combine)),
         .what  = "texture function " + std::string(enum_name(op)) +
                 (op == BlendDiffuseAlpha ? " of the texel a and the vertex colour b; every BLENDxALPHA alike"
+                 : alpha                 ? " of the vertex's alpha a and the texel's b, in HIGHLIGHT"
                                          : " of the vertex colour a and the texel b") +
                 (op == ModulateColorAddAlpha ? ", x being the vertex alpha; HIGHLIGHT on the GS" : ""),
         .expression =
             std::string(expression) + (expression.find("e(") != expression.npos ? ", e(v) = v + (v >> 7)" : ""),
         .formula = formula(profile.arithmetic.combine),
         .axes    = {},
-        .draw    = [&prober, format, op] { return draw_function(prober, format, op); }};
+        .draw    = [&prober, format, op, alpha] { return draw_function(prober, format, op, alpha); }};
     if (has_three_inputs(op)) table.axes.push_back({"vertex_alpha_x", AxisRange{}});
     const bool is_lerp = op == BlendDiffuseAlpha;
-    table.axes.push_back({is_lerp ? "vertex_color_b" : "vertex_color_a", AxisRange{}});
-    table.axes.push_back({is_lerp ? "texel_a" : "texel_b", AxisRange{}});
+    table.axes.push_back({is_lerp ? "vertex_color_b" : alpha ? "vertex_alpha_a" : "vertex_color_a", AxisRange{}});
+    table.axes.push_back({is_lerp ? "texel_a" : alpha ? "texel_alpha_b" : "texel_b", AxisRange{}});
     tables.push_back(std::move(table));
 }
 
@@ -146,7 +160,7 @@ void add_filter(const Profile& profile, Prober& prober, FilterRule rule, const s
          .expression = "see formula; the fractions are in 1/256 texel",
          .formula    = formula(rule),
          .axes       = {{"quad", AxisRange{0, kQuads - 1}}, {"fraction_v", AxisRange{}}, {"fraction_u", AxisRange{}}},
-         .draw       = [rule, format = byte_format(profile), arithmetic = prober.arithmetic()] {
+         .draw       = [rule, format = profile.formats.with_bytes, arithmetic = prober.arithmetic()] {
              Arithmetic other = arithmetic;
              other.filter     = rule;
              Prober with_rule(other);

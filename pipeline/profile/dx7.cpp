@@ -7,13 +7,20 @@ namespace pipeline {
 Profile make_dx7() {
     using enum TargetFormat;
     return {
-        .name          = "dx7",
-        .chip          = "Direct3D 7 card of the class of NVIDIA NV10 / NV15 (GeForce 256, GeForce2)",
-        .arithmetic    = {.snap = SnapRule::Truncate, .pixel_center = 0},
-        .color_formats = {A8R8G8B8, X8R8G8B8, R5G6B5, A1R5G5B5},
-        .depth_formats = {D16, D24},
-        .depth_funcs   = all_compare_funcs(),
-        .alpha_funcs   = all_compare_funcs(),
+        .name       = "dx7",
+        .chip       = "Direct3D 7 card of the class of NVIDIA NV10 / NV15 (GeForce 256, GeForce2)",
+        .arithmetic = {.snap = SnapRule::Truncate, .pixel_center = 0},
+        // A copy is a Blt of DirectDraw, within one format.
+        .formats    = {.draw           = {A8R8G8B8, X8R8G8B8, R5G6B5, A1R5G5B5},
+                       .copy_targets   = {A8R8G8B8, X8R8G8B8, R5G6B5, A1R5G5B5},
+                       .depth          = {D16, D24},
+                       .copies_convert = false,
+                       .copies_halve   = false},
+        // Direct3D 7 has neither a mask nor a scissor, whatever the chips had.
+        .states     = {.color_mask      = MaskKind::None,
+                       .dest_alpha_test = false,
+                       .alpha_fails     = {AlphaFail::Keep},
+                       .scissor         = false},
         .evidence =
             {
                 {"snap",
@@ -60,6 +67,27 @@ Profile make_dx7() {
                 {"depth",
                  "DirectX 7 SDK help, D3DCMPFUNC: 8 functions; Mesa 7.10, nv10_state_fb.c: NV10 has Z16 and Z24S8 only",
                  Grade::Document, "That depth is floored to the format's bits is chosen"},
+                {"copy", "chosen: DirectDraw's Blt, unstretched and within one format, moves pixels as they are",
+                 Grade::Chosen, "No source on a chip's own blits. Blts that stretch or convert are left out"},
+                {"targets",
+                 "A8R8G8B8, X8R8G8B8, R5G6B5: Mesa 7.10, nv10_state_fb.c; A1R5G5B5: Mesa 7.10, radeon (Radeon R100)",
+                 Grade::Document,
+                 "A driver may refuse colour and depth of different bits a pixel (Windows driver documents, \"Render "
+                 "Target Requirements\"); here they go together. Whether NV10 draws to A1R5G5B5 is not known"},
+                {"states",
+                 "DirectX 7 SDK help, D3DBLEND; all factors on both sides: Mesa 7.10, NV10 and R100. No colour mask: "
+                 "MSDN Library April 2000, render states; no scissor: Wine 9.0, dlls/ddraw/tests/ddraw7.c, test_clear",
+                 Grade::Document,
+                 "Matrox G400 has DESTCOLOR as a source factor only, SRCCOLOR as a destination factor only (Mesa "
+                 "7.10, mgastate.c), which is all that the Windows logo asked for. The chips have masks; only "
+                 "Direct3D 7 has none"},
+                {"stages", "DirectX 7 SDK help, D3DTEXTUREOP and D3DTA; 2 stages: Mesa 7.10, NV10_TEXTURE_UNITS",
+                 Grade::Document, "Radeon R100 has 3 stages"},
+                {"flat",
+                 "DirectX 8.1 SDK help and Wine 9.0, dlls/ddraw/tests/ddraw7.c, test_shademode: the first vertex",
+                 Grade::Document, ""},
+                {"lod", "chosen: from the texels that a pixel spans, its logarithm linear between powers of two",
+                 Grade::Chosen, "No source for the level of detail of NV10, NV15 or R100"},
             },
     };
 }

@@ -20,7 +20,8 @@ std::string_view formula(GouraudRule rule) {
             return "the plane through the three vertices' bytes, at the pixel's sample point, rounded to the nearest "
                    "byte, half up";
         case GouraudRule::Floor:
-            return "the plane through the three vertices' bytes, at the pixel's sample point, floored to a byte";
+            return "the plane through the three vertices' bytes, at the pixel's sample point, in 1/2^15, plus 1/256, "
+                   "floored to a byte";
     }
     return {};
 }

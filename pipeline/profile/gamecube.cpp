@@ -7,22 +7,39 @@ namespace pipeline {
 
 Profile make_gamecube() {
     using enum TargetFormat;
+    using enum BlendFactor;
+    // GX_SetBlendMode names the other side's colour only.
+    const std::vector<BlendFactor> alphas{Zero, One, SourceAlpha, InvSourceAlpha, DestAlpha, InvDestAlpha};
+    std::vector<BlendFactor> source_factors = alphas, dest_factors = alphas;
+    source_factors.insert(source_factors.end(), {DestColor, InvDestColor});
+    dest_factors.insert(dest_factors.end(), {SourceColor, InvSourceColor});
     return {
-        .name          = "gamecube",
-        .chip          = "ATI / ArtX Flipper (Nintendo GameCube)",
-        .arithmetic    = {.snap         = SnapRule::Nearest,
-                          .pixel_center = 9,
-                          .gouraud      = GouraudRule::Nearest,
-                          .filter       = FilterRule::FlipperFloor7,
-                          .combine      = CombineRule::Tev,
-                          .fog          = FogRule::FlipperFloor256,
-                          .blend        = BlendRule::FlipperTrunc256,
-                          .blend_source = BlendSource::Bytes},
-        // RGBA6_Z24, RGB8_Z24; and RGBA8 textures, which copies write.
-        .color_formats = {R6G6B6A6, X8R8G8B8, A8R8G8B8},
-        .depth_formats = {D24},
-        .depth_funcs   = all_compare_funcs(),
-        .alpha_funcs   = all_compare_funcs(),
+        .name       = "gamecube",
+        .chip       = "ATI / ArtX Flipper (Nintendo GameCube)",
+        .arithmetic = {.snap         = SnapRule::Nearest,
+                       .pixel_center = 9,
+                       .gouraud      = GouraudRule::Nearest,
+                       .filter       = FilterRule::FlipperFloor7,
+                       .combine      = CombineRule::Tev,
+                       .fog          = FogRule::FlipperFloor256,
+                       .blend        = BlendRule::FlipperTrunc256,
+                       .blend_source = BlendSource::Bytes},
+        // The frame buffer is RGBA6_Z24 or RGB8_Z24. RGBA8 is a texture in main memory, which copies write.
+        .formats    = {.draw          = {R6G6B6A6, X8R8G8B8},
+                       .copy_targets  = {A8R8G8B8},
+                       .depth         = {D24},
+                       .with_bytes    = X8R8G8B8,
+                       .with_alpha    = R6G6B6A6,
+                       .reads_targets = false},
+        // GX_SetColorUpdate and GX_SetAlphaUpdate are the masks.
+        .states     = {.source_factors  = source_factors,
+                       .dest_factors    = dest_factors,
+                       .dithers         = {DitherMode::None, DitherMode::Flipper2x2},
+                       .color_mask      = MaskKind::ColorAndAlpha,
+                       .dest_alpha_test = false,
+                       .alpha_fails     = {AlphaFail::Keep},
+                       .flat            = FlatVertex::None,
+                       .complement      = false},
         .evidence =
             {
                 {"snap", "Dolphin, VideoBackends/Software/Rasterizer.cpp: 28.4 coordinates, rounded", Grade::Emulators,
@@ -70,6 +87,24 @@ Profile make_gamecube() {
                  "Dolphin as of libretro/dolphin, VideoBackends/Software/TextureEncoder.cpp: four 6 bit values S to S "
                  "+ (S >> 6), four bytes to S >> 2; alpha of RGB8_Z24 copies as 255: hwtests, gxtest/copyfilter.cpp",
                  Grade::Emulators, "The halving was not compared with a console"},
+                {"targets",
+                 "libogc, GX_SetPixelFmt and GX_CopyTex: RGBA6_Z24 and RGB8_Z24 in the embedded frame buffer, RGBA8 "
+                 "in main memory",
+                 Grade::Document,
+                 "RGB565_Z16, with its three samples a pixel, and copies to formats other than RGBA8 are not "
+                 "modelled; nor is the constant alpha that GX_SetDstAlpha writes"},
+                {"states", "libogc, GX_SetBlendMode, GX_SetColorUpdate, GX_SetAlphaUpdate; Dolphin, SWEfbInterface.cpp",
+                 Grade::Emulators, "GX_BM_SUBTRACT and the logic operations are not modelled"},
+                {"stages",
+                 "libogc, gx.h, GX_CC_* and GX_CA_*: texture, vertex colours, constants, each with its alpha for a "
+                 "colour, none complemented; clamp, repeat, mirror",
+                 Grade::Document,
+                 "The TEV has 16 stages of four inputs; a frame has 2 of two. DIFFUSE and SPECULAR in one stage are "
+                 "two stages of the TEV. Indirect textures are not modelled"},
+                {"flat", "chosen: none, as libogc has no call for it", Grade::Chosen,
+                 "That the chip has no flat shading was not checked in its registers"},
+                {"lod", "Dolphin, VideoBackends/Software: from the differences across blocks of 2x2 pixels",
+                 Grade::Emulators, "A frame's level is each pixel's own. Anisotropic filters are not modelled"},
             },
     };
 }

@@ -12,13 +12,13 @@ constexpr std::string_view kExact = "by definition: the exact result, rounded on
 Profile make_ideal() {
     using enum TargetFormat;
     return {
-        .name          = "ideal",
-        .chip          = "no chip: exact arithmetic, no limits",
-        .arithmetic    = {},
-        .color_formats = {A8R8G8B8, X8R8G8B8, R5G6B5, A1R5G5B5, R6G6B6A6, Psmct32, Psmct24, Psmct16},
-        .depth_formats = {D16, D24, D32},
-        .depth_funcs   = all_compare_funcs(),
-        .alpha_funcs   = all_compare_funcs(),
+        .name       = "ideal",
+        .chip       = "no chip: exact arithmetic, no limits",
+        .arithmetic = {},
+        .formats    = {.draw         = {A8R8G8B8, X8R8G8B8, R5G6B5, A1R5G5B5, R6G6B6A6, Psmct32, Psmct24, Psmct16},
+                       .copy_targets = {A8R8G8B8, X8R8G8B8, R5G6B5, A1R5G5B5, R6G6B6A6, Psmct32, Psmct24, Psmct16},
+                       .depth        = {D16, D24, D32}},
+        .states     = {},
         .evidence =
             {
                 {"snap", "by definition: window coordinates to the nearest 1/16 pixel", Grade::Chosen, ""},
@@ -35,6 +35,13 @@ Profile make_ideal() {
                 {"dest_alpha_test", "by definition: bit 7 of the alpha that the target gives back", Grade::Chosen, ""},
                 {"depth", "by definition: unsigned integers, floored to the format's bits", Grade::Chosen, ""},
                 {"copy", "by definition: bytes as they are; four are averaged by a floor", Grade::Chosen, ""},
+                {"targets", "by definition: every format, in any pair", Grade::Chosen, ""},
+                {"states", "by definition: every state of a pass that is not one chip's dither or blend", Grade::Chosen,
+                 ""},
+                {"stages", "by definition: two stages of every function and argument", Grade::Chosen, ""},
+                {"flat", "by definition: the first vertex, as in Direct3D", Grade::Chosen, ""},
+                {"lod", "by definition: from the texels that a pixel spans; see raster/sampling_rules.h", Grade::Chosen,
+                 ""},
             },
     };
 }

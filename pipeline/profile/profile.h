@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A chip as a table: how it computes and which formats and functions it has, each with its source and how sure that is. A
-// profile changes no picture by itself: what it says becomes data in a frame (Frame::arithmetic, formats, states), and
-// `execute` knows no chip.
+// A chip as a table: how it computes and which formats and functions it has, each with its source and how sure that
+// is. A profile changes no picture by itself: what it says becomes data in a frame (Frame::arithmetic, formats,
+// states), and `execute` knows no chip.
 #pragma once
 
 #include <span>
@@ -25,8 +25,10 @@ struct EnumNames<Grade> {
     static constexpr std::array<std::string_view, 5> names{"measured", "fitted", "emulators", "document", "chosen"};
 };
 
-// topic: a field of Arithmetic, or "store", "dither", "alpha_test", "dest_alpha_test", "depth", "copy". open: what is not
-// known, or where sources disagree and what the switch is; empty if nothing is.
+// topic: a field of Arithmetic, or "store", "dither", "alpha_test", "dest_alpha_test", "depth", "copy", "targets"
+// (formats and what may stand together), "states" (blend factors, masks, scissor, culling), "stages" (texture stages
+// and addressing), "flat" (shading), "lod" (level of detail). open: what is not known, or where sources disagree and
+// what the switch is; empty if nothing is.
 struct Evidence {
     std::string_view topic;
     std::string_view source;
@@ -34,14 +36,72 @@ struct Evidence {
     std::string_view open;
 };
 
+// Formats. What is drawn to, and what copies write, can differ.
+struct ChipFormats {
+    std::vector<TargetFormat> draw, copy_targets, depth;
+    // Of `draw`: one with whole bytes of red, green and blue; the one that keeps the most of alpha; and what stands for
+    // X8R8G8B8, colours without alpha.
+    TargetFormat with_bytes = TargetFormat::A8R8G8B8, with_alpha = TargetFormat::A8R8G8B8,
+                 opaque = TargetFormat::X8R8G8B8;
+    bool pairs_depth    = false;  // D16 stands beside 16 bit colours alone, the others beside the others
+    bool reads_targets  = true;   // what was drawn to can be a texture as it is, without a copy
+    bool copies         = true;   // pixels as they are
+    bool copies_convert = true;   // and to another format
+    bool copies_halve   = true;
+};
+
+// Which channels a mask tells apart.
+enum class MaskKind : std::uint8_t { None, ColorAndAlpha, Channels };
+template <>
+struct EnumNames<MaskKind> {
+    static constexpr std::array<std::string_view, 3> names{"none", "colour and alpha", "each channel"};
+};
+// The vertex that gives a flat triangle its colour; None: there is no flat shading.
+enum class FlatVertex : std::uint8_t { None, First, Last };
+template <>
+struct EnumNames<FlatVertex> {
+    static constexpr std::array<std::string_view, 3> names{"none", "first", "last"};
+};
+
+template <NamedEnum Enum>
+std::vector<Enum> all_of() {
+    std::vector<Enum> values;
+    for (std::size_t i = 0; i < EnumNames<Enum>::names.size(); ++i) values.push_back(static_cast<Enum>(i));
+    return values;
+}
+
+// The states of a pass that the chip has; by default all but dithers.
+struct ChipStates {
+    std::vector<CompareFunc> depth_funcs    = all_of<CompareFunc>();
+    std::vector<BlendFactor> source_factors = all_of<BlendFactor>();  // by ONE and ZERO alone, blending is off
+    std::vector<BlendFactor> dest_factors   = all_of<BlendFactor>();
+    std::vector<DitherMode> dithers         = {DitherMode::None};
+    MaskKind color_mask                     = MaskKind::Channels;
+    bool dest_alpha_test                    = true;
+    std::vector<AlphaFail> alpha_fails      = all_of<AlphaFail>();
+    bool scissor                            = true;
+    bool culling                            = true;
+    FlatVertex flat                         = FlatVertex::First;
+    bool specular_addition                  = true;
+    int stages                              = kTextureStages;
+    std::vector<ArgSource> arguments        = all_of<ArgSource>();
+    bool complement                         = true;
+    bool alpha_replicate                    = true;
+    std::vector<TextureAddress> addresses   = all_of<TextureAddress>();
+    std::vector<MipFilter> mip_filters      = all_of<MipFilter>();
+};
+
 struct Profile {
     std::string_view name;  // as on the command line
     std::string_view chip;
     Arithmetic arithmetic;
-    std::vector<TargetFormat> color_formats, depth_formats;
-    std::vector<CompareFunc> depth_funcs, alpha_funcs;
+    ChipFormats formats;
+    ChipStates states;
     std::vector<Evidence> evidence;  // an entry for each topic that the chip has
 };
+
+// Can a pass have both?
+bool go_together(const ChipFormats& formats, TargetFormat color, TargetFormat depth);
 
 // ideal, dx7, ps2, gamecube, xbox.
 std::span<const Profile> profiles();

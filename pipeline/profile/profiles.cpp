@@ -11,6 +11,10 @@ std::span<const Profile> profiles() {
     return all;
 }
 
+bool go_together(const ChipFormats& formats, TargetFormat color, TargetFormat depth) {
+    return !formats.pairs_depth || (bytes_per_pixel(color) == 2) == (depth == TargetFormat::D16);
+}
+
 const Profile* find_profile(std::string_view name) {
     const auto all   = profiles();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Profile& one) { return one.name == name; });

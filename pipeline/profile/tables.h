@@ -12,9 +12,4 @@ Profile make_ps2();
 Profile make_gamecube();
 Profile make_xbox();
 
-inline std::vector<CompareFunc> all_compare_funcs() {
-    using enum CompareFunc;
-    return {Always, LessEqual, Less, GreaterEqual, Greater, Equal, NotEqual, Never};
-}
-
 }  // namespace pipeline

@@ -165,8 +165,14 @@ int store(const std::string& name, const std::string& what, const Place& at) {
 int texture_function(const std::string& name, const std::string& rule, const Place& at) {
     const std::string op = name.substr(8);
     const bool is_lerp   = op == "blenddiffusealpha";
-    const int a = of(at, is_lerp ? "texel_a" : "vertex_color_a"), b = of(at, is_lerp ? "vertex_color_b" : "texel_b"),
-              x    = of(at, "vertex_alpha_x", 0);
+    const bool is_alpha  = at.number.contains("vertex_alpha_a");
+    const int a          = of(at, is_lerp    ? "texel_a"
+                                  : is_alpha ? "vertex_alpha_a"
+                                             : "vertex_color_a"),
+              b          = of(at, is_lerp    ? "vertex_color_b"
+                                  : is_alpha ? "texel_alpha_b"
+                                             : "texel_b"),
+              x          = of(at, "vertex_alpha_x", 0);
     const bool tev = rule == "TEV", gs = rule == "GS_SHIFT7";
     const auto product = [&](int k) {
         return tev ? nearest(k * a * widened(b), 256) : gs ? floored(k * a * b, 128) : nearest(k * a * b, 255);
