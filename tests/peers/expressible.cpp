@@ -138,6 +138,8 @@ void make_expressible(Frame& frame) {
     for (Target& target : frame.targets)
         if (!is_whole_bytes(target.format)) target.format = TargetFormat::A8R8G8B8;
     for (Pass& pass : frame.passes) {
+        const auto is_copy = [](const Draw& draw) { return std::holds_alternative<CopyRectangle>(draw); };
+        if (std::any_of(pass.draws.begin(), pass.draws.end(), is_copy)) continue;  // it has no state
         PipelineState& state  = pass.state;
         state.gs_blend        = {};
         state.dither          = {};
