@@ -14,6 +14,7 @@
 #include "demo/command_scenes.h"
 #include "demo/command_vectors.h"
 #include "demo/standard_output.h"
+#include "pipeline/frame/frame_fields.h"
 
 namespace demo {
 namespace {
@@ -151,6 +152,9 @@ void run_command_line(int argc, const char* const* argv) {
     add_vectors(app, arguments);
     add_profiles(app, arguments);
     app.add_subcommand("scenes", "List the built-in scenes")->callback(&list_scenes);
+    app.add_subcommand("fields", "List all that a frame's text may say, with defaults")->callback([] {
+        print(pipeline::describe_fields());
+    });
 
     std::vector<std::string> words = joined_statistics(argc, argv);
     std::reverse(words.begin(), words.end());  // as CLI11 wants them

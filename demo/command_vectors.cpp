@@ -17,6 +17,7 @@
 #include "demo/vectors/vector_probe.h"
 #include "demo/vectors/vector_tables.h"
 #include "demo/version.h"
+#include "pipeline/frame/frame_fields.h"
 
 namespace demo {
 
@@ -27,10 +28,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json   = nlohmann::ordered_json;
 
+const std::string kFieldsFile = "frames/FIELDS.txt";
 constexpr std::string_view kNotation =
     "Values are bytes, 0..255. Arrays are in C order: the last axis is the fastest. In formulas / is exact, >> is "
     "floor division by a power of two, floor() rounds down, clamp() is to 0..255; s is the fragment, d the pixel "
-    "there before. A frame's comment says what it shows; an answer in it is this profile's.";
+    "there before. A frame's comment says what it shows; an answer in it is this profile's, with colours as "
+    "0xAARRGGBB and pixels as (x, y) from the top left; what a frame leaves out is as in frames/FIELDS.txt. Grades, the "
+    "surest first: measured on the chip; fitted, a formula to captures of the chip; emulators, which agree; document, "
+    "the maker's or of the time; chosen, for sources disagree or are silent, and open says how.";
 
 std::string in(const std::string& directory, const std::string& name) {
     return (fs::path(directory) / name).string();
@@ -129,6 +134,8 @@ class VectorWriter {
             }
             progress_.advance();
         }
+        json["fields"]["file"]   = kFieldsFile;
+        json["fields"]["sha256"] = write_bytes(kFieldsFile, pipeline::describe_fields());
         write_file(manifest, json.dump(1) + "\n");
         progress_.hide();
         print(manifest + "  " + std::to_string(json["arrays"].size()) + " arrays, " +

@@ -74,11 +74,11 @@ std::string_view formula(FogRule rule) {
         case FogRule::Nearest255:
             return "colour c, fog colour k, factor f with 255 for no fog: floor((f * c + (255 - f) * k + 127) / 255)";
         case FogRule::GsFloor256:
-            return "colour c, fog colour k, factor f: (f * c + (256 - f) * k) >> 8";
+            return "colour c, fog colour k, factor f with 255 for no fog: (f * c + (256 - f) * k) >> 8";
         case FogRule::GsTwoFloors:
-            return "colour c, fog colour k, factor f: (f * c >> 8) + ((255 - f) * k >> 8)";
+            return "colour c, fog colour k, factor f with 255 for no fog: (f * c >> 8) + ((255 - f) * k >> 8)";
         case FogRule::FlipperFloor256:
-            return "colour c, fog colour k, factor f, e = f + (f >> 7): (e * c + (256 - e) * k) >> 8";
+            return "colour c, fog colour k, factor f with 255 for no fog, e = f + (f >> 7): (e * c + (256 - e) * k) >> 8";
     }
     return {};
 }
@@ -90,7 +90,8 @@ std::string_view formula(BlendRule rule) {
                    "255, INV* is 255 - x";
         case BlendRule::GsShift7:
             return "red, green, blue: ((A - B) * C >> 7) + D, >> flooring negative products too; then COLCLAMP 1 "
-                   "clamps to 0..255, COLCLAMP 0 keeps the low 8 bits. Alpha: the fragment's as it is";
+                   "clamps to 0..255, COLCLAMP 0 keeps the low 8 bits; PABE 1 leaves fragments of alpha below 0x80 as they are. "
+                   "Alpha: the fragment's as it is, FBA 1 setting its bit 7";
         case BlendRule::FlipperTrunc256:
             return "per channel, e(F) = F + (F >> 7), 0..256: min(255, (s * e(Fs) + d * e(Fd)) >> 8); ONE is 255, "
                    "INV* is 255 - x before e";
@@ -140,11 +141,11 @@ std::string_view formula(TargetFormat format) {
         case TargetFormat::Psmct16:
             return "red, green, blue: v & 0xf8; alpha: v & 0x80";
         case TargetFormat::D16:
-            return "depth z of 0..1: floor(v / 2^14), v = z * (2^30 - 1) to the nearest integer, ties to even";
+            return "depth z of 0..1: floor(v / 2^14), v = z * (2^30 - 1) as a double, to the nearest integer, ties to even";
         case TargetFormat::D24:
-            return "depth z of 0..1: floor(v / 2^6), v = z * (2^30 - 1) to the nearest integer, ties to even";
+            return "depth z of 0..1: floor(v / 2^6), v = z * (2^30 - 1) as a double, to the nearest integer, ties to even";
         case TargetFormat::D32:
-            return "depth z of 0..1: v << 2 | v >> 28, v = z * (2^30 - 1) to the nearest integer, ties to even";
+            return "depth z of 0..1: v << 2 | v >> 28, v = z * (2^30 - 1) as a double, to the nearest integer, ties to even";
     }
     return {};
 }

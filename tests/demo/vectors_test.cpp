@@ -179,6 +179,8 @@ void check_profile(const std::string& name) {
         CHECK(listed.insert(entry["frame"].get<std::string>()).second);
         check_frame(out, entry, *profile);
     }
+    listed.insert(manifest["fields"]["file"].get<std::string>());
+    CHECK(manifest["fields"]["sha256"] == demo::sha256(tests::read_file(out + "/frames/FIELDS.txt")));
     for (const json& entry : manifest["left_out"])
         CHECK_THAT(entry["why"].get<std::string>(), Catch::StartsWith(name + " has no "));
     const bool is_ideal = profile->arithmetic == pipeline::Arithmetic{};
