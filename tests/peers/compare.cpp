@@ -72,7 +72,7 @@ double Comparison::mean() const {
 }
 
 bool is_suspect(const Comparison& comparison) {
-    constexpr std::uint64_t kEnoughPixels = 10000, kPixelsPerEdge = 1000;
+    constexpr std::uint64_t kEnoughPixels = 10000, kPixelsPerEdge = 500;
     constexpr double kMostMean = 0.05;
     return comparison.pixels >= kEnoughPixels &&
            (std::abs(comparison.mean()) > kMostMean || comparison.edge > comparison.pixels / kPixelsPerEdge);

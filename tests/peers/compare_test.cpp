@@ -175,6 +175,6 @@ TEST_CASE("differences that lean to one side, or that are edges in number, are s
     CHECK(is_suspect({.pixels = 10000, .sum = 2001.0}));
     CHECK(is_suspect({.pixels = 10000, .sum = -2001.0}));
     CHECK_FALSE(is_suspect({.pixels = 9999, .sum = 39996.0}));  // too small to tell
-    CHECK_FALSE(is_suspect({.pixels = 10000, .edge = 10}));
-    CHECK(is_suspect({.pixels = 10000, .edge = 11}));
+    CHECK_FALSE(is_suspect({.pixels = 10000, .edge = 20}));
+    CHECK(is_suspect({.pixels = 10000, .edge = 21}));
 }

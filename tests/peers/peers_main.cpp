@@ -32,7 +32,7 @@ using namespace peers;
 namespace fs = std::filesystem;
 
 const std::string kSource = NIMBUS7_SOURCE_DIR;
-constexpr demo::Size kSceneSize{640, 360};
+constexpr demo::Size kSceneSize{640, 360}, kMistakenSceneSize{320, 180};
 
 struct Arguments {
     std::optional<Driver> driver;
@@ -219,19 +219,19 @@ struct NamedFrame {
     bool is_random = false;
 };
 
-std::vector<NamedFrame> frames_of(const Arguments& arguments) {
+std::vector<NamedFrame> frames_of(const Arguments& arguments, const demo::Size& scene_size) {
     std::vector<NamedFrame> frames;
     if (arguments.frames.empty()) {
         frames.push_back({"blend_ramp", blend_ramp()});
         for (const demo::EmbeddedText& scene : demo::embedded_scenes()) {
             const std::string name(scene.name);
-            frames.push_back({name, demo::FrameSource(name).frame(kSceneSize, 0)});
+            frames.push_back({name, demo::FrameSource(name).frame(scene_size, 0)});
         }
     }
     for (const std::string& file : arguments.frames.empty() ? frame_files() : arguments.frames) {
         const demo::FrameSource source(file);
         frames.push_back(
-            {source.name(), source.frame(source.is_dumped_frame() ? std::nullopt : std::optional(kSceneSize), 0)});
+            {source.name(), source.frame(source.is_dumped_frame() ? std::nullopt : std::optional(scene_size), 0)});
     }
     for (int seed = 0; seed < arguments.random_frames; ++seed) {
         NamedFrame random{"random-" + std::to_string(seed),
@@ -244,7 +244,7 @@ std::vector<NamedFrame> frames_of(const Arguments& arguments) {
 
 int run(const Arguments& arguments) {
     Run run(*arguments.driver, arguments.prints_passes);
-    for (const NamedFrame& named : frames_of(arguments)) {
+    for (const NamedFrame& named : frames_of(arguments, kSceneSize)) {
         if (named.is_random) {
             run.compare(named.name + "-raster", named.frame, Part::Raster);
             run.compare(named.name + "-vertices", named.frame, Part::Vertices);
@@ -257,7 +257,7 @@ int run(const Arguments& arguments) {
 
 int run_mistakes(const Arguments& arguments) {
     const GlContext context(*arguments.driver);
-    std::vector<NamedFrame> frames = frames_of(arguments);
+    std::vector<NamedFrame> frames = frames_of(arguments, kMistakenSceneSize);
     std::erase_if(frames, [](const NamedFrame& named) { return cannot_express(named.frame).has_value(); });
     // A frame with a known difference shows a mistake by differing more than that.
     std::map<std::string, KnownDifference> known;
