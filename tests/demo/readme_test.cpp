@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demo/command_profiles.h"
+#include "demo/embedded_texts.h"
 #include "demo/pass_statistics.h"
 #include "demo/scene.h"
 #include "pipeline/execute/execute.h"
@@ -58,6 +59,13 @@ TEST_CASE("the README's table of passes is what the program prints", "[readme]")
                       });
     CHECK(timeless_lines(block_after("## How a frame gets its cloud", "```")) ==
           timeless_lines(demo::to_table(passes)));
+}
+
+TEST_CASE("the README counts the small frames", "[readme]") {
+    const std::string count = std::to_string(demo::embedded_frames().size()) + " small frames";
+    const std::string text  = read("README.md");
+    CHECK(text.find("on " + count) != std::string::npos);
+    CHECK(text.find("counts of all " + count) != std::string::npos);
 }
 
 TEST_CASE("the README's table of chips and list of open questions are what the program prints", "[readme]") {

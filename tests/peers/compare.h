@@ -61,8 +61,8 @@ struct Comparison {
 };
 
 // A rule that is broken everywhere by less than a pixel shows: in a picture large enough to tell, differences lean to one
-// side (roundings of both kinds leave a mean of 0.03 at most, a floor in place of the nearest 0.1 and more), or too many
-// pixels are excused as edges.
+// side (roundings of both kinds leave a mean of 0.03 at most, a floor in place of the nearest 0.06 and more), or too many
+// pixels are excused as edges: more than one in 500, where the canyon's passes have up to one in 1000.
 bool is_suspect(const Comparison& comparison);
 
 // Of two pictures of the same size.
