@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demo/arguments.h"
+#include "demo/command_bench.h"
 #include "demo/command_dump.h"
 #include "demo/command_profiles.h"
 #include "demo/command_render.h"
@@ -137,6 +138,13 @@ void add_profiles(CLI::App& app, Arguments& arguments) {
     });
 }
 
+// All words after the command are the other program's, --help too.
+void add_bench(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("bench", "Time it, beside Mesa's llvmpipe and others");
+    command->prefix_command()->set_help_flag();
+    command->callback([command] { run_bench(command->remaining()); });
+}
+
 std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
@@ -151,6 +159,7 @@ void run_command_line(int argc, const char* const* argv) {
     add_dump(app, arguments);
     add_vectors(app, arguments);
     add_profiles(app, arguments);
+    add_bench(app);
     app.add_subcommand("scenes", "List the built-in scenes")->callback(&list_scenes);
     app.add_subcommand("fields", "List all that a frame's text may say, with defaults")->callback([] {
         print(pipeline::describe_fields());

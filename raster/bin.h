@@ -17,35 +17,43 @@ class TileGrid {
     explicit TileGrid(const Rect& area);
     int count() const { return columns_ * rows_; }
     Rect tile(int index) const;                    // within the area
-    Rect tiles_touched(const Rect& pixels) const;  // half-open, in tiles
+    Rect tiles_touched(const Rect& pixels) const;  // half-open, in tiles; pixels lie within the area
     int index(int column, int row) const { return row * columns_ + column; }
-    Rect whole_tile(int column, int row) const;
+    int first_x(int column) const { return (x0_ + column) * kTileWidth; }
+    int first_y(int row) const { return (y0_ + row) * kTileHeight; }
 
   private:
     Rect area_;
     int x0_ = 0, y0_ = 0, columns_ = 0, rows_ = 0;
 };
 
-// A command falls into a tile: what binning one part of the pass gives, in order.
-struct TileEntry {
-    int tile;
-    const Command* command;
-};
-
-// Appends an entry for each tile that the command may touch.
-void bin_command(const Command& command, const TileGrid& grid, std::vector<TileEntry>& out);
-
-// The parts' entries, in order, sorted by tile.
-class Bins {
+// Commands, as they come, sorted by tile. Keeps its memory when cleared.
+class Bin {
   public:
-    Bins(int tile_count, std::span<const std::vector<TileEntry>> parts);
+    void clear() { entries_.clear(); }
+
+    // Enters each tile that the command may touch. The command must stay where it is.
+    void add(const Command& command, const TileGrid& grid);
+    void add(const Command& command, const Rect& pixels, const TileGrid& grid);
+    std::size_t entry_count() const { return entries_.size(); }
+
+    // After the last command; from then on `commands` answers.
+    void sort();
     std::span<const Command* const> commands(int tile) const {
-        return {commands_.data() + begin_[tile], commands_.data() + begin_[tile + 1]};
+        if (tile < first_tile_ || tile >= end_tile_) return {};
+        const std::uint32_t* begin = begin_.data() + (tile - first_tile_);
+        return {sorted_.data() + begin[0], sorted_.data() + begin[1]};
     }
 
   private:
-    std::vector<std::uint32_t> begin_;
-    std::vector<const Command*> commands_;
+    struct Entry {
+        int tile;
+        const Command* command;
+    };
+    std::vector<Entry> entries_;
+    int first_tile_ = 0, end_tile_ = 0;
+    std::vector<std::uint32_t> begin_;  // of each tile from first_tile_ on, in sorted_
+    std::vector<const Command*> sorted_;
 };
 
 }  // namespace raster

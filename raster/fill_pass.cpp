@@ -2,11 +2,10 @@
 #include "raster/fill_pass.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <span>
 
 #include "raster/bin.h"
 #include "raster/fill_plan.h"
@@ -15,131 +14,262 @@
 namespace raster {
 namespace {
 
-// Some of a draw's primitives, set up and binned by one task.
-struct Part {
-    const FillPlan* plan;
-    std::span<const Triangle> triangles;
-    std::span<const Rectangle> rectangles;
-    std::size_t entries_at_most;
-    std::vector<SetUpTriangle> set_up_triangles;
-    std::vector<SetUpRectangle> set_up_rectangles;
-    std::vector<Command> commands;
+// Primitives of one draw, or one clear: consecutive ones in the order of all that is to be drawn.
+struct Run {
+    enum class Kind : std::uint8_t { Clear, Triangles, Rectangles };
+    Kind kind            = Kind::Clear;
+    std::uint32_t pass   = 0;
+    const FillPlan* plan = nullptr;
+    const Draw* draw     = nullptr;
+    std::uint32_t first = 0, count = 0;  // of the draw's primitives of that kind
 };
 
-// Large primitives fall into many tiles each. These bound what is set up at a time: of a part by a task, of a pass before
-// its tiles are filled.
-constexpr std::size_t kPartPrimitives = 512;
-constexpr std::size_t kPartEntries    = 1 << 16;
-constexpr std::size_t kWaveEntries    = 1 << 22;
+// What one task sets up and bins: some runs, of about kPartPrimitives in all.
+struct Part {
+    std::size_t first_run = 0, end_run = 0;
+    std::vector<SetUpTriangle> triangles;
+    std::vector<SetUpRectangle> rectangles;
+    std::vector<Command> commands;
+    Bin bin;
+    // Where to go on once what is binned has been filled.
+    std::size_t next_run     = 0;
+    std::uint32_t next_first = 0;
+    bool is_binned           = false;
+    bool is_finished() const { return next_run == end_run; }
+};
 
-// Pixels that a primitive may cover, wherever in a pixel it is sampled.
-Rect box(const Rectangle& r) {
-    return {static_cast<int>(std::floor(r.x0)), static_cast<int>(std::floor(r.y0)),
-            static_cast<int>(std::floor(r.x1)) + 2, static_cast<int>(std::floor(r.y1)) + 2};
-}
-Rect box(const Triangle& t) {
-    const auto [x0, x1] = std::minmax({t[0].x, t[1].x, t[2].x});
-    const auto [y0, y1] = std::minmax({t[0].y, t[1].y, t[2].y});
-    return box(Rectangle{.x0 = x0, .y0 = y0, .x1 = x1, .y1 = y1, .uv = {}});
-}
-
-template <class Primitive>
-void split(const std::vector<Primitive>& primitives, const FillPlan& plan, std::span<const Primitive> Part::*member,
-           const Rect& scissor, const TileGrid& grid, std::vector<Part>& parts) {
-    std::size_t first = 0, entries = 0;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-        const Rect pixels = intersect(box(primitives[i]), scissor);
-        if (!pixels.empty()) {
-            const Rect tiles = grid.tiles_touched(pixels);
-            entries += static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
-        }
-        const std::size_t count = i + 1 - first;
-        if (count < kPartPrimitives && entries < kPartEntries && i + 1 < primitives.size()) continue;
-        Part& part           = parts.emplace_back();
-        part.plan            = &plan;
-        part.*member         = std::span(primitives).subspan(first, count);
-        part.entries_at_most = entries;
-        first                = i + 1;
-        entries              = 0;
-    }
-}
-
-void set_up_and_bin(Part& part, const PassFill& pass, const TileGrid& tiles, std::vector<TileEntry>& entries) {
-    // Commands point into these, so they must not move: room for all first.
-    part.set_up_triangles.reserve(part.triangles.size());
-    part.set_up_rectangles.reserve(part.rectangles.size());
-    part.commands.reserve(part.triangles.size() + part.rectangles.size());
-    const FillPlan& plan = *part.plan;
-    for (const Triangle& triangle : part.triangles) {
-        SetUpTriangle& out = part.set_up_triangles.emplace_back();
-        if (set_up_triangle(triangle, plan.needs, pass.grid, pass.scissor, out))
-            part.commands.push_back({.plan = &plan, .triangle = &out, .rectangle = nullptr});
-        else
-            part.set_up_triangles.pop_back();
-    }
-    for (const Rectangle& rectangle : part.rectangles) {
-        SetUpRectangle& out = part.set_up_rectangles.emplace_back();
-        if (set_up_rectangle(rectangle, plan.needs, pass.grid, pass.scissor, out))
-            part.commands.push_back({.plan = &plan, .triangle = nullptr, .rectangle = &out});
-        else
-            part.set_up_rectangles.pop_back();
-    }
-    for (const Command& command : part.commands) bin_command(command, tiles, entries);
-}
+// Large primitives fall into many tiles each. These bound what is held at a time: of a part, and of all before tiles
+// are filled.
+constexpr std::uint32_t kPartPrimitives = 512, kBlockPrimitives = 64;
+constexpr std::size_t kPartEntries = 1 << 16;
+constexpr std::size_t kWaveParts   = 128;
 
 // 0, 1, 2, .. or a fixed shuffle of it.
-std::vector<int> tile_order(int count, std::uint32_t seed) {
-    std::vector<int> order(static_cast<std::size_t>(count));
+void set_tile_order(int count, std::uint32_t seed, std::vector<int>& order) {
+    order.resize(static_cast<std::size_t>(count));
     std::iota(order.begin(), order.end(), 0);
-    if (seed == 0) return order;
+    if (seed == 0) return;
     for (std::size_t i = order.size(); i > 1; --i) {
         seed = seed * 1664525u + 1013904223u;
         std::swap(order[i - 1], order[(seed >> 8) % i]);
     }
-    return order;
 }
 
-// Sets up, bins and fills a run of parts.
-FillCounts fill_wave(std::span<Part> parts, const PassFill& pass, const TileGrid& grid, const std::vector<int>& order) {
-    std::vector<std::vector<TileEntry>> entries(parts.size());
-    tbb::parallel_for(std::size_t{0}, parts.size(),
-                      [&](std::size_t i) { set_up_and_bin(parts[i], pass, grid, entries[i]); });
-    const Bins bins(grid.count(), entries);
+Rect area_of(std::span<const PassFill> passes) {
+    Rect area;
+    for (const PassFill& pass : passes) area = hull(area, pass.scissor);
+    return area;
+}
 
-    std::vector<FillCounts> counts(order.size());
-    tbb::parallel_for(std::size_t{0}, order.size(), [&](std::size_t i) {
-        counts[i] = fill_tile(bins.commands(order[i]), grid.tile(order[i]), pass.color, pass.depth);
-    });
-    for (Part& part : parts) part = {};
-    FillCounts total;
-    for (const FillCounts& tile : counts) total += tile;
-    return total;
+FillTarget target_of(std::span<const PassFill> passes) {
+    FillTarget target;
+    for (const PassFill& pass : passes) {
+        if (pass.color) target.color = pass.color;
+        if (pass.depth) target.depth = pass.depth;
+    }
+    return target;
 }
 
 }  // namespace
 
-FillCounts fill_pass(const PassFill& pass, const FillOptions& options) {
-    if (pass.scissor.empty()) return {};
-    const TileGrid grid(pass.scissor);
+struct PassFiller::Memory {
+    // What a thread keeps to itself.
+    struct alignas(64) Thread {
+        std::vector<const Command*> commands;  // of the tile at hand
+        std::vector<FillCounts> counts;        // by pass
+    };
+
+    std::span<const PassFill> passes;
     std::vector<FillPlan> plans;
-    plans.reserve(pass.draws.size());
-    std::vector<Part> parts;
-    for (const Draw& draw : pass.draws) {
-        const FillPlan& plan =
-            plans.emplace_back(plan_fill(draw.state, pass.color != nullptr, pass.format, pass.depth_bits));
-        split(draw.triangles, plan, &Part::triangles, pass.scissor, grid, parts);
-        split(draw.rectangles, plan, &Part::rectangles, pass.scissor, grid, parts);
+    std::vector<Run> runs;
+    std::vector<Part> parts;  // grows only, so that what its elements hold is kept
+    std::size_t part_count = 0;
+    std::vector<int> order;
+    std::vector<Thread> threads;
+
+    void list_runs();
+    void list_parts();
+    void bin(Part& part, const TileGrid& grid);
+    void bin_triangles(const Run& run, Part& part, const TileGrid& grid);
+    void bin_rectangles(const Run& run, Part& part, const TileGrid& grid);
+    void fill_tile(std::span<const Part> wave, const Rect& tile, int index, const FillTarget& target, Thread& thread);
+    void clear(const PassFill& pass, const Rect& tile);
+};
+
+void PassFiller::Memory::list_runs() {
+    std::size_t draws = 0;
+    for (const PassFill& pass : passes) draws += pass.draws.size();
+    plans.clear();
+    plans.reserve(draws);  // runs point to them
+    runs.clear();
+    for (std::uint32_t i = 0; i < passes.size(); ++i) {
+        const PassFill& pass = passes[i];
+        if (pass.scissor.empty()) continue;
+        if (pass.clear_color || pass.clear_depth) runs.push_back({.kind = Run::Kind::Clear, .pass = i, .count = 1});
+        for (const Draw& draw : pass.draws) {
+            if (draw.triangles.empty() && draw.rectangles.empty()) continue;
+            const FillPlan& plan =
+                plans.emplace_back(plan_fill(draw.state, pass.color != nullptr, pass.format, pass.depth_bits));
+            const auto add = [&](Run::Kind kind, std::size_t size) {
+                for (std::uint32_t first = 0; first < size; first += kPartPrimitives)
+                    runs.push_back({kind, i, &plan, &draw, first,
+                                    std::min(kPartPrimitives, static_cast<std::uint32_t>(size) - first)});
+            };
+            add(Run::Kind::Triangles, draw.triangles.size());
+            add(Run::Kind::Rectangles, draw.rectangles.size());
+        }
     }
-    const std::vector<int> order = tile_order(grid.count(), options.tile_order_seed);
-    FillCounts total;
-    for (std::size_t first = 0; first < parts.size();) {
-        std::size_t end = first, entries = 0;
-        while (end < parts.size() && (end == first || entries + parts[end].entries_at_most <= kWaveEntries))
-            entries += parts[end++].entries_at_most;
-        total += fill_wave(std::span(parts).subspan(first, end - first), pass, grid, order);
+}
+
+void PassFiller::Memory::list_parts() {
+    part_count = 0;
+    for (std::size_t first = 0; first < runs.size();) {
+        std::size_t end     = first;
+        std::uint32_t count = 0;
+        while (end < runs.size() && (end == first || count + runs[end].count <= kPartPrimitives))
+            count += runs[end++].count;
+        if (part_count == parts.size()) parts.emplace_back();
+        Part& part     = parts[part_count++];
+        part.first_run = part.next_run = first;
+        part.end_run                   = end;
+        part.next_first                = 0;
+        part.is_binned                 = false;
+        // Commands point to these, so they must not move.
+        part.triangles.resize(std::max<std::size_t>(part.triangles.size(), kPartPrimitives));
+        part.rectangles.reserve(kPartPrimitives);
+        part.commands.reserve(kPartPrimitives);
         first = end;
     }
-    return total;
+}
+
+// From where the part was left, until it is done or has its fill of entries.
+void PassFiller::Memory::bin(Part& part, const TileGrid& grid) {
+    part.rectangles.clear();
+    part.commands.clear();
+    part.bin.clear();
+    std::size_t triangles = 0;
+    while (part.next_run < part.end_run && part.bin.entry_count() < kPartEntries) {
+        const Run& run       = runs[part.next_run];
+        const PassFill& pass = passes[run.pass];
+        const std::uint32_t count =
+            run.kind == Run::Kind::Clear ? 1 : std::min(kBlockPrimitives, run.count - part.next_first);
+        const std::uint32_t first = run.first + part.next_first;
+        switch (run.kind) {
+            case Run::Kind::Clear:
+                // A command without a plan: the pass says what to clear.
+                part.commands.push_back({.pass = run.pass});
+                part.bin.add(part.commands.back(), pass.scissor, grid);
+                break;
+            case Run::Kind::Triangles: {
+                SetUpTriangle* const out = part.triangles.data() + triangles;
+                const TriangleList list{run.draw->vertices, std::span(run.draw->triangles).subspan(first, count),
+                                        run.draw->flat};
+                const std::size_t added = set_up_triangles(list, run.plan->needs, pass.grid, pass.scissor, out);
+                for (std::size_t i = 0; i < added; ++i) {
+                    part.commands.push_back({.plan = run.plan, .triangle = out + i, .pass = run.pass});
+                    part.bin.add(part.commands.back(), grid);
+                }
+                triangles += added;
+                break;
+            }
+            case Run::Kind::Rectangles:
+                for (std::uint32_t i = 0; i < count; ++i) {
+                    SetUpRectangle& out = part.rectangles.emplace_back();
+                    if (!set_up_rectangle(run.draw->rectangles[first + i], run.plan->needs, pass.grid, pass.scissor,
+                                          out)) {
+                        part.rectangles.pop_back();
+                        continue;
+                    }
+                    part.commands.push_back({.plan = run.plan, .rectangle = &out, .pass = run.pass});
+                    part.bin.add(part.commands.back(), grid);
+                }
+                break;
+        }
+        part.next_first += count;
+        if (part.next_first == run.count) {
+            ++part.next_run;
+            part.next_first = 0;
+        }
+    }
+    part.bin.sort();
+    part.is_binned = true;
+}
+
+void PassFiller::Memory::clear(const PassFill& pass, const Rect& tile) {
+    const Rect inside = intersect(pass.scissor, tile);
+    if (pass.clear_color) fill_rect(*pass.color, inside, *pass.clear_color);
+    if (pass.clear_depth) fill_rect(*pass.depth, inside, *pass.clear_depth);
+}
+
+void PassFiller::Memory::fill_tile(std::span<const Part> wave, const Rect& tile, int index, const FillTarget& target,
+                                   Thread& thread) {
+    std::vector<const Command*>& commands = thread.commands;
+    const auto fill                       = [&] {
+        if (!commands.empty()) raster::fill_tile(commands, tile, target, thread.counts);
+        commands.clear();
+    };
+    for (const Part& part : wave)
+        for (const Command* command : part.bin.commands(index)) {
+            if (command->plan) {
+                commands.push_back(command);
+                continue;
+            }
+            fill();
+            clear(passes[command->pass], tile);
+        }
+    fill();
+}
+
+PassFiller::PassFiller() : memory_(std::make_unique<Memory>()) {}
+PassFiller::~PassFiller() = default;
+
+void PassFiller::fill(std::span<const PassFill> passes, std::span<FillCounts> counts, const FillOptions& options) {
+    Memory& memory  = *memory_;
+    const Rect area = area_of(passes);
+    if (area.empty()) return;
+    const TileGrid grid(area);
+    const FillTarget target = target_of(passes);
+    memory.passes           = passes;
+    memory.list_runs();
+    memory.list_parts();
+    set_tile_order(grid.count(), options.tile_order_seed, memory.order);
+    memory.threads.resize(
+        std::max(memory.threads.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())));
+    for (Memory::Thread& thread : memory.threads) thread.counts.assign(passes.size(), {});
+
+    const std::span parts = std::span(memory.parts).first(memory.part_count);
+    for (std::size_t first = 0; first < parts.size();) {
+        const std::size_t end = std::min(first + kWaveParts, parts.size());
+        tbb::parallel_for(first, end, [&](std::size_t i) {
+            if (!parts[i].is_binned) memory.bin(parts[i], grid);
+        });
+        // What comes after a part that is not finished has to wait.
+        std::size_t stop = first;
+        while (stop < end && parts[stop].is_finished()) ++stop;
+        const std::span<const Part> wave = parts.subspan(first, std::min(stop + 1, end) - first);
+        tbb::parallel_for(std::size_t{0}, memory.order.size(), [&](std::size_t i) {
+            const int index = memory.order[i];
+            Memory::Thread& thread =
+                memory.threads[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
+            memory.fill_tile(wave, grid.tile(index), index, target, thread);
+        });
+        if (stop < end) parts[stop].is_binned = false;
+        first = stop;
+    }
+    for (const Memory::Thread& thread : memory.threads)
+        for (std::size_t i = 0; i < passes.size(); ++i) counts[i] += thread.counts[i];
+}
+
+FillCounts fill_pass(const PassFill& pass, const FillOptions& options) {
+    FillCounts counts;
+    PassFiller().fill({&pass, 1}, {&counts, 1}, options);
+    return counts;
+}
+
+Rect hull(const Rect& a, const Rect& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
 void fill_rect(Image& image, const Rect& rect, std::uint32_t value) {

@@ -1,43 +1,54 @@
 // SPDX-License-Identifier: MIT
-// One draw's state, resolved before the loop: which kernels run, what they read, what a triangle must be set up with.
+// One draw's state, resolved before the loop: what the loop branches on, its numbers, the kernel that draws it, and
+// what a primitive must be set up with.
 #pragma once
 
 #include <array>
+#include <cstdint>
 
-#include "raster/blend_blocks.h"
-#include "raster/combine_blocks.h"
-#include "raster/cover_blocks.h"
+#include "raster/blend_plan.h"
+#include "raster/fill_counts.h"
+#include "raster/fill_program.h"
 #include "raster/fill_state.h"
-#include "raster/interpolate_blocks.h"
-#include "raster/sample_blocks.h"
-#include "raster/test_blocks.h"
+#include "raster/image.h"
+#include "raster/sample_plan.h"
 #include "raster/triangle_setup.h"
 
 namespace raster {
 
-struct FillPlan {
-    FillState state;
-    SetupNeeds needs;
-    int depth_bits                    = 24;
-    bool uses_depth                   = false;  // tests or writes it
-    bool uses_color                   = false;  // writes it, or tests its alpha
-    bool tests_first                  = false;  // no alpha test, so depth can be tested before the colour is made
-    bool writes_color                 = false;
-    bool fails_on                     = false;  // a fragment that fails the alpha test goes on, with less to write
-    std::uint64_t texels_per_fragment = 0, texel_bytes_per_fragment = 0;
-
-    CoverKernels cover;
-    InterpolateKernels interpolate;
-    std::array<SamplePlan, kMaxTextures> samplers;
-    std::array<SampleKernel, kMaxTextures> sample{}, sample_rectangle{};
-    PackKernel pack = nullptr;
-    CombineKernels combine;
-    TestKernels test;
-    BlendPlan blend_plan;
-    BlendKernel blend = nullptr;
+// One of them may be null. depth: in units of its format.
+struct FillTarget {
+    Image* color = nullptr;
+    Image* depth = nullptr;
 };
 
-// The one place where the instruction set is chosen, anew for each draw.
-FillPlan plan_fill(const FillState& state, bool has_color, const ColorFormat& format, int depth_bits);
+struct FillPlan;
+
+// Both fill what lies within the tile and add to `counts`.
+struct FillKernel {
+    using Triangle        = void (*)(const FillPlan& plan, const SetUpTriangle& triangle, const Rect& tile,
+                              const FillTarget& target, FillCounts& counts);
+    using Rectangle       = void (*)(const FillPlan& plan, const SetUpRectangle& rectangle, const Rect& tile,
+                               const FillTarget& target, FillCounts& counts);
+    Triangle triangle     = nullptr;
+    Rectangle rectangle   = nullptr;
+    bool special_triangle = false, special_rectangle = false;  // compiled for this very program
+};
+
+struct FillPlan {
+    FillProgram program;
+    std::array<SamplePlan, kMaxTextures> samplers;
+    BlendPlan blend;
+    std::uint32_t constant = 0, fog_color = 0;
+    std::uint8_t alpha_reference      = 0;
+    std::uint32_t bits_if_failed      = 0;  // of the colour target that may change in spite of the alpha test
+    std::uint64_t texels_per_fragment = 0, texel_bytes_per_fragment = 0;
+    SetupNeeds needs;
+    FillKernel kernel;
+};
+
+// The one place where the instruction set is chosen, anew for each draw. general: not a special kernel, for tests.
+FillPlan plan_fill(const FillState& state, bool has_color, const ColorFormat& format, int depth_bits,
+                   bool general = false);
 
 }  // namespace raster

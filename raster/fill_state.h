@@ -84,6 +84,7 @@ struct Combine {
 // Texel in stage i is that of samplers[i].
 struct CombineStage {
     Combine color, alpha;
+    bool operator==(const CombineStage&) const = default;
 };
 
 enum class FogRule : std::uint8_t { Nearest255, Floor256, TwoFloors, Expanded256 };

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The loop: everything that covers one tile, in order, a batch of fragments at a time. Read this first.
+// Everything that covers one tile, in order, while its pixels are in the L1 cache.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "raster/fill_counts.h"
 #include "raster/fill_plan.h"
-#include "raster/image.h"
+#include "raster/tile.h"
 
 namespace raster {
 
-// One primitive in a tile's list: a triangle or a rectangle, and how to fill it.
+// One primitive in a tile's list: a triangle or a rectangle, how to fill it, and whose counts it adds to.
 struct Command {
     const FillPlan* plan            = nullptr;
     const SetUpTriangle* triangle   = nullptr;
     const SetUpRectangle* rectangle = nullptr;
+    std::uint32_t pass              = 0;
 };
 
-FillCounts fill_tile(std::span<const Command* const> commands, const Rect& tile, Image* color, Image* depth);
+// tile: within the target. Adds to counts[Command::pass].
+void fill_tile(std::span<const Command* const> commands, const Rect& tile, const FillTarget& target,
+               std::span<FillCounts> counts);
 
 }  // namespace raster

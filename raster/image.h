@@ -6,9 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <new>
 
+#include "raster/pixel_buffer.h"
 #include "raster/tile.h"
 
 namespace raster {
@@ -22,21 +21,14 @@ class Image {
     int width() const { return width_; }
     int height() const { return height_; }
     std::ptrdiff_t stride() const { return stride_; }  // pixels from one row to the next
-    std::uint32_t* row(int y) { return pixels_.get() + y * stride_; }
-    const std::uint32_t* row(int y) const { return pixels_.get() + y * stride_; }
+    std::uint32_t* row(int y) { return pixels_.data() + y * stride_; }
+    const std::uint32_t* row(int y) const { return pixels_.data() + y * stride_; }
     Rect bounds() const { return {0, 0, width_, height_}; }
 
   private:
-    struct Free {
-        void operator()(std::uint32_t* pixels) const { ::operator delete[](pixels, std::align_val_t{64}); }
-    };
-    std::size_t bytes() const {
-        return static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height_) * sizeof(std::uint32_t);
-    }
-
     int width_ = 0, height_ = 0;
     std::ptrdiff_t stride_ = 0;
-    std::unique_ptr<std::uint32_t[], Free> pixels_;
+    PixelBuffer pixels_;
 };
 
 }  // namespace raster

@@ -10,10 +10,17 @@
 #define NIMBUS7_RASTER_LANES_INL_H_
 #endif
 
+#include <bit>
 #include <cstdint>
 
 #include "hwy/highway.h"
+#include "raster/lane_tables.h"
 #include "raster/tile.h"
+
+// After the parameters of a lambda, which must not become a call.
+#ifndef NIMBUS7_LAMBDA
+#define NIMBUS7_LAMBDA HWY_ATTR __attribute__((always_inline))
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace raster {
@@ -193,6 +200,46 @@ HWY_INLINE VU lane_index_pair(int first) {
 
 HWY_INLINE VU select(VU mask, VU yes, VU no) {
     return hn::Or(hn::And(mask, yes), hn::AndNot(mask, no));
+}
+
+// A mask of lanes, as vectors have it and as the low bits of an integer.
+using MU = hn::Mask<DU>;
+HWY_INLINE unsigned all_lanes() {
+    return (1u << lane_count()) - 1;
+}
+HWY_INLINE MU mask_of(unsigned bits) {
+#if HWY_TARGET <= HWY_AVX3
+    return MU{static_cast<__mmask16>(bits)};
+#else
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+    return hn::LoadMaskBits(DU(), bytes);
+#endif
+}
+HWY_INLINE unsigned bits_of(MU mask) {
+#if HWY_TARGET <= HWY_AVX3
+    return mask.raw;
+#else
+    std::uint8_t bytes[8] = {};  // as many as the store may touch
+    hn::StoreMaskBits(DU(), mask, bytes);
+    return bytes[0];
+#endif
+}
+HWY_INLINE std::uint64_t count_lanes(MU mask) {
+    return static_cast<std::uint64_t>(std::popcount(bits_of(mask)));
+}
+
+// The numbers at `packed`, in order, to the lanes whose bits are set; the other lanes hold anything. Reads a whole vector.
+HWY_INLINE VU expand(const std::uint32_t* packed, unsigned bits) {
+#if HWY_TARGET <= HWY_AVX3
+    return VU{_mm512_maskz_expandloadu_epi32(static_cast<__mmask16>(bits), packed)};
+#elif HWY_TARGET == HWY_SCALAR
+    (void)bits;
+    return hn::Load(DU(), packed);
+#else
+    const hn::Rebind<std::uint8_t, DU> bytes;
+    const auto rank = hn::PromoteTo(DI(), hn::LoadU(bytes, reinterpret_cast<const std::uint8_t*>(&kRanks[bits])));
+    return hn::TableLookupLanes(hn::LoadU(DU(), packed), hn::IndicesFromVec(DU(), rank));
+#endif
 }
 
 }  // namespace HWY_NAMESPACE

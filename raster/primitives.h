@@ -83,12 +83,13 @@ struct TexCoord {
 // x, y: pixels; z: 0..1; rhw: 1/w, greater than 0. Colours are 0xAARRGGBB; the alpha of `specular` is the fog factor,
 // 255 for no fog.
 struct Vertex {
-    float x = 0.0f, y = 0.0f, z = 0.0f, rhw = 1.0f;
     std::uint32_t diffuse  = 0xffffffff;
     std::uint32_t specular = 0xff000000;
+    float x = 0.0f, y = 0.0f, z = 0.0f, rhw = 1.0f;
     std::array<TexCoord, kMaxTextures> uv;
 };
-using Triangle = std::array<Vertex, 3>;
+using Triangle        = std::array<Vertex, 3>;
+using TriangleCorners = std::array<std::uint32_t, 3>;  // places in a list of vertices
 
 // x, y: pixels; z: 0..1; uv at the corners, each axis depending on its own coordinate only.
 struct Rectangle {

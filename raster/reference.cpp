@@ -192,9 +192,12 @@ std::uint32_t reference_stored(const ColorFormat& format, std::uint32_t argb) {
 }
 
 FillCounts reference_fill_pass(const PassFill& pass) {
+    if (pass.clear_color) fill_rect(*pass.color, pass.scissor, *pass.clear_color);
+    if (pass.clear_depth) fill_rect(*pass.depth, pass.scissor, *pass.clear_depth);
     FillCounts counts;
     for (const Draw& each : pass.draws) {
-        for (const Triangle& triangle : each.triangles) draw(pass, each.state, triangle, counts);
+        for (const TriangleCorners& corners : each.triangles)
+            draw(pass, each.state, triangle_of(each, corners), counts);
         for (const Rectangle& rectangle : each.rectangles) draw(pass, each.state, rectangle, counts);
     }
     return counts;

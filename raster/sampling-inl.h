@@ -8,8 +8,9 @@
 #define NIMBUS7_RASTER_SAMPLING_INL_H_
 #endif
 
+#include "raster/fill_program.h"
 #include "raster/lanes-inl.h"
-#include "raster/sample_blocks.h"
+#include "raster/sample_plan.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raster {
@@ -34,44 +35,110 @@ struct Quad {
     VU t00, t10, t01, t11;
 };
 
-// a * (one - f) + b * f of one row of texels: exact in 16 bits, one being 256 at most.
-HWY_INLINE Pixels weigh_row(VU left, VU right, VU f, VU one_minus_f) {
-    const Pixels a = unpack(left), b = unpack(right);
-    return {add16(mul16(a.lo, one_minus_f), mul16(b.lo, f)), add16(mul16(a.hi, one_minus_f), mul16(b.hi, f))};
+// The texels at texels[index] and the ones after them.
+HWY_INLINE void gather_pairs(const std::uint32_t* texels, VI index, VU& first, VU& second) {
+    const DU d;
+#if HWY_TARGET <= HWY_AVX3
+    const auto* const pairs = reinterpret_cast<const long long*>(texels);
+    const VU low{_mm512_i32gather_epi64(_mm512_castsi512_si256(index.raw), pairs, 4)};
+    const VU high{_mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.raw, 1), pairs, 4)};
+    first  = hn::ConcatEven(d, high, low);
+    second = hn::ConcatOdd(d, high, low);
+#elif HWY_TARGET == HWY_AVX2
+    const auto* const pairs = reinterpret_cast<const long long*>(texels);
+    const VU low{_mm256_i32gather_epi64(pairs, _mm256_castsi256_si128(index.raw), 4)};
+    const VU high{_mm256_i32gather_epi64(pairs, _mm256_extracti128_si256(index.raw, 1), 4)};
+    first                                               = hn::ConcatEven(d, high, low);
+    second                                              = hn::ConcatOdd(d, high, low);
+#else
+    first  = hn::GatherIndex(d, texels, index);
+    second = hn::GatherIndex(d, texels + 1, index);
+#endif
 }
-// The same of two rows in pairs, whose sum is less than 2^16.
+
+// Rows are given by their first texels. Two texels next to each other are read as one number of twice the size, which must
+// not reach beyond the last of a row; where they are not, at the border, both are read again.
+HWY_INLINE Quad load_quad(const SamplePlan::Level& level, VI row0, VI row1, VI column0, VI column1) {
+    if (HWY_LIKELY(level.width > 1)) {
+        Quad quad;
+        const VI pair = hn::Min(column0, seti(level.width - 2));
+        gather_pairs(level.texels, hn::Add(row0, pair), quad.t00, quad.t10);
+        gather_pairs(level.texels, hn::Add(row1, pair), quad.t01, quad.t11);
+        if (HWY_LIKELY(hn::AllTrue(DI(), hn::Eq(column1, hn::Add(column0, seti(1)))))) return quad;
+    }
+    const auto texel = [&](VI row, VI column)
+                           NIMBUS7_LAMBDA { return hn::GatherIndex(DU(), level.texels, hn::Add(row, column)); };
+    return {texel(row0, column0), texel(row0, column1), texel(row1, column0), texel(row1, column1)};
+}
+
+// a * (one - f) + b * f: exact in 16 bits for bytes and one = 256 at most, and wherever else the sum is less than 2^16.
 HWY_INLINE VU mix(VU a, VU b, VU f, VU one_minus_f) {
     return add16(mul16(a, one_minus_f), mul16(b, f));
+}
+HWY_INLINE Pixels weigh(const Pixels& a, const Pixels& b, VU f, VU one_minus_f) {
+    return {mix(a.lo, b.lo, f, one_minus_f), mix(a.hi, b.hi, f, one_minus_f)};
+}
+// Of one row of texels.
+HWY_INLINE Pixels weigh_row(VU left, VU right, VU f, VU one_minus_f) {
+    return weigh(unpack(left), unpack(right), f, one_minus_f);
 }
 // a + floor((b - a) * f / 2^16): the floor is the high half of the unsigned product of (b - a) mod 2^16 and f, less f
 // where b < a.
 HWY_INLINE VU move_toward(VU a, VU b, VU f) {
     return add16(a, sub16(mul_high16(sub16(b, a), f), if_less16(b, a, f)));
 }
-// The fraction in the low 8 bits, with kBits of them dropped, in both halves.
-template <int kBits>
+// The fraction, the low 8 bits of a coordinate, in both halves; times 256 there.
 HWY_INLINE VU fraction_pair(VI coordinate) {
-    return twice(hn::ShiftRight<kBits>(hn::And(hn::BitCast(DU(), coordinate), set(0xff))));
-}
-template <>
-HWY_INLINE VU fraction_pair<0>(VI coordinate) {
+#if HWY_TARGET == HWY_SCALAR
     return twice(hn::And(hn::BitCast(DU(), coordinate), set(0xff)));
+#else
+    alignas(16) static constexpr std::uint8_t kFrom[16] = {0, 128, 0, 128, 4,  128, 4,  128,
+                                                           8, 128, 8, 128, 12, 128, 12, 128};
+    const hn::Repartition<std::uint8_t, DU> bytes;
+    return hn::BitCast(DU(), hn::TableLookupBytesOr0(hn::BitCast(bytes, coordinate), hn::LoadDup128(bytes, kFrom)));
+#endif
+}
+HWY_INLINE VU fraction_pair_times_256(VI coordinate) {
+#if HWY_TARGET == HWY_SCALAR
+    return mul16(fraction_pair(coordinate), set_pair(256));
+#else
+    alignas(16) static constexpr std::uint8_t kFrom[16] = {128, 0, 128, 0, 128, 4,  128, 4,
+                                                           128, 8, 128, 8, 128, 12, 128, 12};
+    const hn::Repartition<std::uint8_t, DU> bytes;
+    return hn::BitCast(DU(), hn::TableLookupBytesOr0(hn::BitCast(bytes, coordinate), hn::LoadDup128(bytes, kFrom)));
+#endif
+}
+// With kBits of it dropped.
+template <int kBits>
+HWY_INLINE VU fraction_pair_over(VI coordinate) {
+    return shift_right16<kBits>(fraction_pair(coordinate));
 }
 
-// The filters: weigh() for the neighbours of a position, whose weights are the low 8 bits of u and v; mix_levels() for two mip
+// a * b, both in 0..2^15 - 1.
+HWY_INLINE VI mul_small(VI a, std::int32_t b) {
+#if HWY_TARGET <= HWY_AVX3
+    return VI{_mm512_madd_epi16(a.raw, _mm512_set1_epi32(b))};
+#elif HWY_TARGET == HWY_AVX2
+    return VI{_mm256_madd_epi16(a.raw, _mm256_set1_epi32(b))};
+#else
+    return hn::Mul(a, seti(b));
+#endif
+}
+
+// The filters: weigh_quad() for the neighbours of a position, whose weights are the low 8 bits of u and v; mix_levels() for two mip
 // levels, by f of 256.
 struct MixHalfUp {
-    static HWY_INLINE VU mix_levels(VU a, VU b, VI f) {
-        const VU f8 = fraction_pair<0>(f), half = set_pair(128);
-        const Pixels sum = weigh_row(a, b, f8, sub16(set_pair(256), f8));
-        return hn::Or(shift_right16<8>(add16(sum.lo, half)), hn::And(add16(sum.hi, half), set_pair(0xff00)));
+    static HWY_INLINE Pixels mix_levels(const Pixels& a, const Pixels& b, VI f) {
+        const VU f8 = fraction_pair(f), half = set_pair(128);
+        const Pixels sum = weigh(a, b, f8, sub16(set_pair(256), f8));
+        return {shift_right16<8>(add16(sum.lo, half)), shift_right16<8>(add16(sum.hi, half))};
     }
 };
 struct MixFloor4 {
-    static HWY_INLINE VU mix_levels(VU a, VU b, VI f) {
-        const VU f4      = fraction_pair<4>(f);
-        const Pixels sum = weigh_row(a, b, f4, sub16(set_pair(16), f4));
-        return pack({shift_right16<4>(sum.lo), shift_right16<4>(sum.hi)});
+    static HWY_INLINE Pixels mix_levels(const Pixels& a, const Pixels& b, VI f) {
+        const VU f4      = fraction_pair_over<4>(f);
+        const Pixels sum = weigh(a, b, f4, sub16(set_pair(16), f4));
+        return {shift_right16<4>(sum.lo), shift_right16<4>(sum.hi)};
     }
 };
 
@@ -81,93 +148,140 @@ struct Point : Mix {
 };
 struct Single8 : MixHalfUp {
     static constexpr bool kLinear = true;
-    static HWY_INLINE VU weigh(const Quad& quad, VI u, VI v) {
-        const VU f = fraction_pair<0>(u), one_minus_f = sub16(set_pair(256), f);
-        const VU f_times_256 = mul16(fraction_pair<0>(v), set_pair(256));
+    static HWY_INLINE Pixels weigh_quad(const Quad& quad, VI u, VI v) {
+        const VU f = fraction_pair(u), one_minus_f = sub16(set_pair(256), f);
+        const VU f_times_256 = fraction_pair_times_256(v);
         const Pixels top     = weigh_row(quad.t00, quad.t10, f, one_minus_f);
         const Pixels bottom  = weigh_row(quad.t01, quad.t11, f, one_minus_f);
         // The sum of columns plus 2^15, over 2^8: it fits 16 bits.
         const VU half        = set_pair(128);
-        const VU lo          = add16(move_toward(top.lo, bottom.lo, f_times_256), half);
-        const VU hi          = add16(move_toward(top.hi, bottom.hi, f_times_256), half);
-        return hn::Or(shift_right16<8>(lo), hn::And(hi, set_pair(0xff00)));
+        return {shift_right16<8>(add16(move_toward(top.lo, bottom.lo, f_times_256), half)),
+                shift_right16<8>(add16(move_toward(top.hi, bottom.hi, f_times_256), half))};
     }
 };
 struct Single4 : MixFloor4 {
     static constexpr bool kLinear = true;
-    static HWY_INLINE VU weigh(const Quad& quad, VI u, VI v) {
+    static HWY_INLINE Pixels weigh_quad(const Quad& quad, VI u, VI v) {
         const VU one = set_pair(16), half = set_pair(128);
-        const VU fu = fraction_pair<4>(u), fv = fraction_pair<4>(v), gu = sub16(one, fu), gv = sub16(one, fv);
+        const VU fu = fraction_pair_over<4>(u), fv = fraction_pair_over<4>(v), gu = sub16(one, fu), gv = sub16(one, fv);
         const Pixels top = weigh_row(quad.t00, quad.t10, fu, gu), bottom = weigh_row(quad.t01, quad.t11, fu, gu);
-        return hn::Or(shift_right16<8>(add16(mix(top.lo, bottom.lo, fv, gv), half)),
-                      hn::And(add16(mix(top.hi, bottom.hi, fv, gv), half), set_pair(0xff00)));
+        const Pixels sum = weigh(top, bottom, fv, gv);
+        return {shift_right16<8>(add16(sum.lo, half)), shift_right16<8>(add16(sum.hi, half))};
     }
 };
 struct Single7 : MixFloor4 {
     static constexpr bool kLinear = true;
-    static HWY_INLINE VU weigh(const Quad& quad, VI u, VI v) {
-        const VU fu = fraction_pair<1>(u), gu = sub16(set_pair(128), fu);
-        const VU fv      = mul16(fraction_pair<1>(v), set_pair(512));  // over 2^16, not 2^7
+    static HWY_INLINE Pixels weigh_quad(const Quad& quad, VI u, VI v) {
+        const VU fu = fraction_pair_over<1>(u), gu = sub16(set_pair(128), fu);
+        const VU fv      = mul16(fraction_pair_over<1>(v), set_pair(512));  // over 2^16, not 2^7
         const Pixels top = weigh_row(quad.t00, quad.t10, fu, gu), bottom = weigh_row(quad.t01, quad.t11, fu, gu);
         // floor(floor(sum / 2^7) / 2^7) is floor(sum / 2^14).
-        return pack({shift_right16<7>(move_toward(top.lo, bottom.lo, fv)),
-                     shift_right16<7>(move_toward(top.hi, bottom.hi, fv))});
+        return {shift_right16<7>(move_toward(top.lo, bottom.lo, fv)),
+                shift_right16<7>(move_toward(top.hi, bottom.hi, fv))};
     }
 };
 struct Cascade8 : MixHalfUp {
     static constexpr bool kLinear = true;
-    static HWY_INLINE VU weigh(const Quad& quad, VI u, VI v) {
-        return mix_levels(mix_levels(quad.t00, quad.t10, u), mix_levels(quad.t01, quad.t11, u), v);
+    static HWY_INLINE Pixels weigh_quad(const Quad& quad, VI u, VI v) {
+        return mix_levels(mix_levels(unpack(quad.t00), unpack(quad.t10), u),
+                          mix_levels(unpack(quad.t01), unpack(quad.t11), u), v);
     }
 };
 struct Cascade4 : MixFloor4 {
     static constexpr bool kLinear = true;
-    static HWY_INLINE VU weigh(const Quad& quad, VI u, VI v) {
-        return mix_levels(mix_levels(quad.t00, quad.t10, u), mix_levels(quad.t01, quad.t11, u), v);
+    static HWY_INLINE Pixels weigh_quad(const Quad& quad, VI u, VI v) {
+        return mix_levels(mix_levels(unpack(quad.t00), unpack(quad.t10), u),
+                          mix_levels(unpack(quad.t01), unpack(quad.t11), u), v);
     }
 };
 
-// make(filter) for the filter of a plan.
-template <class Make>
-auto for_filter(const SamplePlan& plan, Make make) {
-    switch (plan.rule) {
+// make(filter) for the filter of a program->
+template <class Texture, class Make>
+HWY_INLINE Pixels with_filter(Texture program, Make make) {
+    switch (program->rule) {
         case FilterRule::Single8:
             break;
         case FilterRule::Single4:
-            return plan.linear ? make(Single4()) : make(Point<MixFloor4>());
+            return program->linear ? make(Single4()) : make(Point<MixFloor4>());
         case FilterRule::Single7:
-            return plan.linear ? make(Single7()) : make(Point<MixFloor4>());
+            return program->linear ? make(Single7()) : make(Point<MixFloor4>());
         case FilterRule::Cascade8:
-            return plan.linear ? make(Cascade8()) : make(Point<MixHalfUp>());
+            return program->linear ? make(Cascade8()) : make(Point<MixHalfUp>());
         case FilterRule::Cascade4:
-            return plan.linear ? make(Cascade4()) : make(Point<MixFloor4>());
+            return program->linear ? make(Cascade4()) : make(Point<MixFloor4>());
     }
-    return plan.linear ? make(Single8()) : make(Point<MixHalfUp>());
+    return program->linear ? make(Single8()) : make(Point<MixHalfUp>());
 }
 
-template <class Filter>
-HWY_INLINE VU sample_level(const SamplePlan& plan, int index, VI u, VI v) {
-    const SamplePlan::Level& level    = plan.levels[index];
-    const std::uint32_t* const texels = level.texels;
-    const VI stride                   = seti(level.stride);
-    u                                 = hn::ShiftRightSame(u, index);
-    v                                 = hn::ShiftRightSame(v, index);
+template <class Filter, class Texture>
+HWY_INLINE Pixels sample_level(Texture program, const SamplePlan& plan, int index, VI u, VI v) {
+    const SamplePlan::Level& level = plan.levels[index];
+    u                              = hn::ShiftRightSame(u, index);
+    v                              = hn::ShiftRightSame(v, index);
     if constexpr (!Filter::kLinear) {
-        const VI i = address(plan.address_u, hn::ShiftRight<8>(u), level.width);
-        const VI j = address(plan.address_v, hn::ShiftRight<8>(v), level.height);
-        return hn::GatherIndex(DU(), texels, hn::Add(hn::Mul(j, stride), i));
+        const VI i = address(program->address_u, hn::ShiftRight<8>(u), level.width);
+        const VI j = address(program->address_v, hn::ShiftRight<8>(v), level.height);
+        return unpack(hn::GatherIndex(DU(), level.texels, hn::Add(mul_small(j, level.stride), i)));
     } else {
         u          = hn::Sub(u, seti(128));
         v          = hn::Sub(v, seti(128));
         const VI i = hn::ShiftRight<8>(u), j = hn::ShiftRight<8>(v);
-        const VI i0      = address(plan.address_u, i, level.width),
-                 i1      = address(plan.address_u, hn::Add(i, seti(1)), level.width);
-        const VI row0    = hn::Mul(address(plan.address_v, j, level.height), stride);
-        const VI row1    = hn::Mul(address(plan.address_v, hn::Add(j, seti(1)), level.height), stride);
-        const auto texel = [&](VI row, VI column)
-                               HWY_ATTR { return hn::GatherIndex(DU(), texels, hn::Add(row, column)); };
-        return Filter::weigh({texel(row0, i0), texel(row0, i1), texel(row1, i0), texel(row1, i1)}, u, v);
+        const VI i0   = address(program->address_u, i, level.width),
+                 i1   = address(program->address_u, hn::Add(i, seti(1)), level.width);
+        const VI row0 = mul_small(address(program->address_v, j, level.height), level.stride);
+        const VI row1 = mul_small(address(program->address_v, hn::Add(j, seti(1)), level.height), level.stride);
+        return Filter::weigh_quad(load_quad(level, row0, row1, i0, i1), u, v);
     }
+}
+
+// One round for each level that a lane reads, mostly a single one: the first is that of the first lane. lod: of a vector
+// of lanes, in memory, so that the level is known early.
+template <class Filter, class Texture>
+HWY_INLINE Pixels sample_mips(Texture program, const SamplePlan& plan, VI u, VI v, const std::int32_t* lod) {
+    const bool mixes  = program->mip == MipFilter::Linear;
+    const int half    = mixes ? 0 : 128;
+    const int last    = plan.level_count - 1;
+    const VI lods     = hn::Load(DI(), lod);
+    const VI level    = hn::ShiftRight<8>(hn::Add(lods, seti(half)));
+    const VI fraction = hn::And(lods, seti(255));
+    Pixels texel{set(0), set(0)};
+    auto rest = hn::Gt(lods, seti(-1));  // every lane
+    for (std::ptrdiff_t lane = 0;; lane = hn::FindFirstTrue(DI(), rest)) {
+        const int index = (lod[lane] + half) >> 8;
+        const auto here = hn::Eq(level, seti(index));
+        Pixels sampled  = sample_level<Filter>(program, plan, index, u, v);
+        // The next level has no weight where the texture is magnified, nor after the last.
+        if (mixes && index < last && !hn::AllFalse(DI(), hn::And(here, hn::Gt(fraction, seti(0)))))
+            sampled = Filter::mix_levels(sampled, sample_level<Filter>(program, plan, index + 1, u, v), fraction);
+        rest = hn::AndNot(here, rest);
+        if (lane == 0 && hn::AllFalse(DI(), rest)) return sampled;
+        const VU mask = hn::BitCast(DU(), hn::VecFromMask(DI(), here));
+        texel         = {select(mask, sampled.lo, texel.lo), select(mask, sampled.hi, texel.hi)};
+        if (hn::AllFalse(DI(), rest)) return texel;
+    }
+}
+
+template <class Texture>
+HWY_INLINE Pixels sample_here(Texture program, const SamplePlan& plan, VI u, VI v, const std::int32_t* lod) {
+    return with_filter(program, [&](auto filter) NIMBUS7_LAMBDA {
+        using Filter = decltype(filter);
+        return program->has_mips ? sample_mips<Filter>(program, plan, u, v, lod)
+                                 : sample_level<Filter>(program, plan, 0, u, v);
+    });
+}
+// All filters at once are too much code to repeat at each place.
+template <class Texture>
+HWY_NOINLINE Pixels sample_any(Texture program, const SamplePlan& plan, VI u, VI v, const std::int32_t* lod) {
+    return sample_here(program, plan, u, v, lod);
+}
+
+// A texture at (u, v), in 1/256 texel of level 0, and lod, in 1/256 level and in memory; that may be null without mips.
+template <class Texture>
+HWY_INLINE Pixels sample(Texture program, const SamplePlan& plan, VI u, VI v, const std::int32_t* lod) {
+    if constexpr (Texture::kIsKnown)
+        return sample_here(program, plan, u, v, lod);
+    else
+        return sample_any(program, plan, u, v, lod);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -10,6 +10,7 @@
 namespace raster {
 
 inline constexpr int kBlockWidth = 16;
+inline constexpr int kColumnRows = 16;  // rows of blocks, one below the other, that a triangle is filled by at a time
 inline constexpr int kTileWidth  = 64;
 inline constexpr int kTileHeight = 32;
 static_assert(kTileWidth % kBlockWidth == 0);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// From a triangle to what the kernels step through: edge functions and planes in 64-bit integers, per pixel. The rules are those
-// of raster/primitives.h and raster/sampling_rules.h.
+// From a triangle to what the kernels step through: edge functions and planes in 64-bit integers, per pixel. The rules
+// are those of raster/primitives.h and raster/sampling_rules.h.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "raster/primitives.h"
 #include "raster/tile.h"
@@ -19,8 +21,8 @@ struct Plane {
     }
 };
 
-// Inside where a * x + b * y + c >= 0 for pixel (x, y). The edge function only takes every 16th integer from one pixel to the
-// next, so its low 4 bits never change and are dropped: |a|, |b| <= 2^19.
+// Inside where a * x + b * y + c >= 0 for pixel (x, y). The edge function only takes every 16th integer from one pixel
+// to the next, so its low 4 bits never change and are dropped: |a|, |b| <= 2^19.
 struct Edge {
     std::int64_t a = 0, b = 0, c = 0;
     std::int64_t at(std::int64_t x, std::int64_t y) const { return a * x + b * y + c; }
@@ -37,23 +39,31 @@ struct SetUpTriangle {
     std::array<Edge, 3> edges;
     Plane depth;
     std::int32_t depth_min = 0, depth_max = 0;
-    std::uint32_t flat_diffuse = 0, flat_specular = 0;  // where the colour does not vary
-    bool diffuse_varies = false, specular_varies = false;
-    std::array<Plane, 4> diffuse, specular;  // blue, green, red, alpha
+    std::uint32_t flat_diffuse = 0, flat_specular = 0;     // where the colour does not vary
+    bool diffuse_varies = false, specular_varies = false;  // in what is needed of them
+    std::array<Plane, 4> diffuse, specular;                // blue, green, red, alpha
     std::array<TexturePlanes, kMaxTextures> textures;
 };
 
-// What of a triangle a draw needs. Texture sizes are those of level 0.
+// What of a triangle a draw needs; the rest is left alone. fog: of specular only its alpha, unless `specular` is set
+// too. Texture sizes are those of level 0.
 struct SetupNeeds {
-    bool depth = false, diffuse = false, specular = false;
+    bool depth = false, diffuse = false, specular = false, fog = false;
     bool floor_colors = false;
     std::array<bool, kMaxTextures> texture{}, lod{};
     std::array<int, kMaxTextures> width{}, height{};
 };
 
-// False if nothing can be covered within `scissor`.
-bool set_up_triangle(const Triangle& triangle, const SetupNeeds& needs, const PixelGrid& grid, const Rect& scissor,
-                     SetUpTriangle& out);
+// A draw's triangles, or some of them; flat as in raster/fill_pass.h.
+struct TriangleList {
+    std::span<const Vertex> vertices;
+    std::span<const TriangleCorners> corners;
+    bool flat = false;
+};
+
+// Sets up, in order, from out[0] on, those that may cover something within `scissor`, and returns how many they are.
+std::size_t set_up_triangles(const TriangleList& triangles, const SetupNeeds& needs, const PixelGrid& grid,
+                             const Rect& scissor, SetUpTriangle* out);
 
 // A rectangle's texture coordinates: planes in one variable, 2^32 to the texel.
 struct AxisPlane {

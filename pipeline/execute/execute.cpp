@@ -4,12 +4,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <stdexcept>
 
 #include "pipeline/execute/frame_memory.h"
 #include "pipeline/execute/lower.h"
+#include "pipeline/execute/schedule.h"
 #include "pipeline/execute/vertex_stage.h"
 #include "pipeline/validate/validate.h"
 #include "raster/fill_pass.h"
@@ -18,20 +18,23 @@
 #include "raster/thread_arena.h"
 
 namespace pipeline {
+
+// What one frame leaves for the next.
+struct ExecutorMemory {
+    FrameMemory frame;
+    VertexStage vertex_stage;
+    raster::PassFiller filler;
+    std::vector<raster::PassFill>
+        fills;  // of the groups, one after the other: a pass finds the memory of its draws again
+    std::vector<raster::FillCounts> filled;
+    std::vector<VertexStageDraw> stage_draws;
+};
+
 namespace {
 
 bool is_whole(const PixelRect& rect) {
     return rect == PixelRect{};
 }
-
-// A part of a draw that one task takes through the vertex stage.
-struct VertexJob {
-    const DrawTriangles* draw;
-    std::uint32_t first, count;
-    VertexStageCounts counts{};
-    std::uint64_t vertices = 0;  // of the whole draw, at its first job
-};
-constexpr std::uint32_t kJobIndices = 3 * 1024;
 
 raster::Rectangle lower(const DrawRectangle& rectangle) {
     raster::Rectangle out{.x0    = rectangle.x0,
@@ -46,63 +49,85 @@ raster::Rectangle lower(const DrawRectangle& rectangle) {
     return out;
 }
 
-// The distinct vertices that a draw refers to.
-std::uint64_t count_vertices(const Frame& frame, const DrawTriangles& draw) {
-    const auto indices       = std::span(frame.indices).subspan(draw.first_index, draw.index_count);
-    const auto [least, most] = std::minmax_element(indices.begin(), indices.end());
-    if (least == indices.end()) return 0;
-    std::vector<bool> seen(*most - *least + 1);
-    for (const std::uint32_t index : indices) seen[index - *least] = true;
-    return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
+raster::Rect to_rect(const PixelRect& rect) {
+    return {rect.x0, rect.y0, rect.x1, rect.y1};
+}
+
+std::uint64_t area(const raster::Rect& rect) {
+    return rect.empty() ? 0
+                        : static_cast<std::uint64_t>(rect.x1 - rect.x0) * static_cast<std::uint64_t>(rect.y1 - rect.y0);
 }
 
 class FrameExecution {
   public:
-    FrameExecution(const Frame& frame, const ExecuteOptions& options, FrameMemory& memory)
+    FrameExecution(const Frame& frame, const ExecuteOptions& options, ExecutorMemory& memory)
         : frame_(frame),
           options_(options),
           memory_(memory),
           stored_(options.backend == Backend::Reference ? &raster::reference_stored
                                                         : static_cast<StoreFunction*>(&raster::stored)),
           arena_(options.threads) {
-        arena_.run([&] { memory.prepare(frame, stored_); });
+        arena_.run([&] { memory.frame.prepare(frame, stored_); });
     }
 
-    PassCounts run(const Pass& pass) {
-        const PixelRect viewport = resolve(pass.state.viewport, pass);
-        const PixelRect scissor  = resolve(pass.state.scissor, pass);
-        raster::PassFill fill{.color      = memory_.image(pass.color),
-                              .depth      = memory_.image(pass.depth),
-                              .depth_bits = pass.depth ? depth_bits(format(pass.depth)) : 24,
-                              .format     = pass.color ? color_format(format(pass.color)) : raster::ColorFormat{},
-                              .grid       = pixel_grid(frame_.arithmetic),
-                              .scissor    = raster::intersect({viewport.x0, viewport.y0, viewport.x1, viewport.y1},
-                                                              {scissor.x0, scissor.y0, scissor.x1, scissor.y1}),
-                              .draws      = {}};
-        PassCounts counts;
-        clear(pass, fill, counts);
-        for (const Draw& draw : pass.draws)
-            if (const auto* rectangle = std::get_if<CopyRectangle>(&draw)) copy(pass, *rectangle, counts);
-        add_draws(pass, viewport, fill, counts);
-        const raster::FillCounts filled =
-            options_.backend == Backend::Reference
-                ? raster::reference_fill_pass(fill)
-                : arena_.run([&] { return raster::fill_pass(fill, {options_.tile_order_seed}); });
-        count(pass, filled, counts);
-        return counts;
+    // Adds to counts[i] what pass i did. index: of the group.
+    void run(const PassGroup& group, std::size_t index, std::span<PassCounts> counts) {
+        arena_.run([&] {
+            // The first of the fills sets new targets to zeros, the others are the passes.
+            const std::size_t size = group.end - group.first, first_fill = group.first + index;
+            if (memory_.fills.size() < first_fill + size + 1) memory_.fills.resize(first_fill + size + 1);
+            const std::span all_fills = std::span(memory_.fills).subspan(first_fill, size + 1);
+            const std::span fills     = all_fills.subspan(1);
+            memory_.filled.assign(size + 1, {});
+            const std::span passes = std::span(frame_.passes).subspan(group.first, size);
+
+            memory_.stage_draws.clear();
+            for (std::size_t i = 0; i < size; ++i) prepare(passes[i], fills[i]);
+            memory_.vertex_stage.run(frame_, memory_.stage_draws);
+            set_zero_fill(group, fills[0], all_fills[0]);
+            for (std::size_t i = 0; i < size; ++i) {
+                if (group.copies && passes[i].clear == Clear{}) continue;
+                memory_.frame.add_drawn(passes[i].color, fills[i].scissor);
+                memory_.frame.add_drawn(passes[i].depth, fills[i].scissor);
+            }
+            if (is_reference())
+                for (std::size_t i = 0; i <= size; ++i) memory_.filled[i] = raster::reference_fill_pass(all_fills[i]);
+            else
+                memory_.filler.fill(all_fills, memory_.filled, {options_.tile_order_seed});
+
+            for (const VertexStageDraw& draw : memory_.stage_draws)
+                add_stage_counts(draw.counts, counts[static_cast<std::size_t>(draw.pass - frame_.passes.data())]);
+            for (std::size_t i = 0; i < size; ++i) {
+                PassCounts& pass_counts = counts[group.first + i];
+                count_clear(passes[i], fills[i].scissor, pass_counts);
+                count_fill(passes[i], memory_.filled[i + 1], pass_counts);
+                for (const Draw& draw : passes[i].draws)
+                    if (const auto* rectangle = std::get_if<CopyRectangle>(&draw))
+                        copy(passes[i], *rectangle, pass_counts);
+            }
+        });
     }
 
-    ColorImage read(TargetId id) const {
-        if (!id) return {};
-        const raster::Image& image = *memory_.image(id);
-        ColorImage out{image.width(), image.height(), {}};
-        out.pixels.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
-        for (int y = 0; y < out.height; ++y)
-            out.pixels.insert(out.pixels.end(), image.row(y), image.row(y) + out.width);
-        return out;
+    void read(TargetId id, ColorImage& out) {
+        if (!id) {
+            out = {};
+            return;
+        }
+        arena_.run([&] {
+            memory_.frame.set_zeros(id);
+            const raster::Image& image = *memory_.frame.image(id);
+            out.width                  = image.width();
+            out.height                 = image.height();
+            out.pixels.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+            tbb::parallel_for(0, out.height, [&](int y) {
+                std::copy_n(image.row(y), out.width, out.pixels.begin() + static_cast<std::ptrdiff_t>(y) * out.width);
+            });
+        });
     }
 
   private:
+    bool is_reference() const { return options_.backend == Backend::Reference; }
+
     PixelRect resolve(const PixelRect& rect, const Pass& pass) const {
         if (!is_whole(rect)) return rect;
         const Target& target = frame_.targets[(pass.color ? pass.color : pass.depth).index];
@@ -114,37 +139,83 @@ class FrameExecution {
         return id ? static_cast<std::uint64_t>(bytes_per_pixel(format(id))) : 0;
     }
 
-    void clear(const Pass& pass, const raster::PassFill& fill, PassCounts& counts) {
-        const auto set = [&](raster::Image& image, std::uint32_t value, TargetId target) {
-            raster::fill_rect(image, fill.scissor, value);
-            if (fill.scissor.empty()) return;
-            const std::uint64_t pixels = static_cast<std::uint64_t>(fill.scissor.x1 - fill.scissor.x0) *
-                                         static_cast<std::uint64_t>(fill.scissor.y1 - fill.scissor.y0);
-            counts.cleared += pixels;
-            counts.bytes += pixels * pixel_bytes(target);
-        };
-        if (pass.clear.color) set(*fill.color, stored_(fill.format, pass.clear.color->value), pass.color);
+    // All but the triangles, which the vertex stage makes.
+    void prepare(const Pass& pass, raster::PassFill& fill) {
+        const PixelRect viewport = resolve(pass.state.viewport, pass);
+        fill.color               = memory_.frame.image(pass.color);
+        fill.depth               = memory_.frame.image(pass.depth);
+        fill.depth_bits          = pass.depth ? depth_bits(format(pass.depth)) : 24;
+        fill.format              = pass.color ? color_format(format(pass.color)) : raster::ColorFormat{};
+        fill.grid                = pixel_grid(frame_.arithmetic);
+        fill.scissor             = raster::intersect(to_rect(viewport), to_rect(resolve(pass.state.scissor, pass)));
+        fill.clear_color.reset();
+        fill.clear_depth.reset();
+        if (pass.clear.color) fill.clear_color = stored_(fill.format, pass.clear.color->value);
         if (pass.clear.depth)
-            set(*fill.depth, raster::to_depth_format(raster::depth_value(*pass.clear.depth), fill.depth_bits),
-                pass.depth);
+            fill.clear_depth = raster::to_depth_format(raster::depth_value(*pass.clear.depth), fill.depth_bits);
+
+        fill.draws.resize(pass.draws.size());
+        for (std::size_t i = 0; i < pass.draws.size(); ++i) {
+            raster::Draw& out = fill.draws[i];
+            out.rectangles.clear();
+            if (const auto* triangles = std::get_if<DrawTriangles>(&pass.draws[i])) {
+                out.state = state(pass, triangles->textures);
+                memory_.stage_draws.push_back(
+                    {.pass = &pass, .draw = triangles, .viewport = viewport, .out = &out, .counts = {}});
+                continue;
+            }
+            out.triangles.clear();
+            if (const auto* rectangle = std::get_if<DrawRectangle>(&pass.draws[i])) {
+                out.state     = state(pass, rectangle->textures);
+                out.state.fog = false;
+                out.rectangles.push_back(lower(*rectangle));
+            }
+        }
+    }
+
+    raster::FillState state(const Pass& pass, const TextureBindings& textures) {
+        for (const TextureBinding& binding : textures) memory_.frame.set_zeros(binding.target);
+        return lower(frame_.arithmetic, pass.state, pass.color ? std::optional(format(pass.color)) : std::nullopt,
+                     textures, memory_.frame);
+    }
+
+    // What the group's targets need before they are drawn to for the first time, unless its first pass clears all of
+    // it.
+    void set_zero_fill(const PassGroup& group, const raster::PassFill& first, raster::PassFill& fill) {
+        FrameMemory::Start color = memory_.frame.start(group.color), depth = memory_.frame.start(group.depth);
+        const auto is_cleared = [&](const raster::Rect& rect) { return intersect(rect, first.scissor) == rect; };
+        if (first.color && first.clear_color && is_cleared(color.rect)) color.rect = {};
+        if (first.depth && first.clear_depth && is_cleared(depth.rect)) depth.rect = {};
+
+        fill.color   = memory_.frame.image(group.color);
+        fill.depth   = memory_.frame.image(group.depth);
+        fill.scissor = hull(color.rect, depth.rect);
+        fill.draws.clear();
+        fill.clear_color.reset();
+        fill.clear_depth.reset();
+        if (!color.rect.empty()) fill.clear_color = color.value;
+        if (!depth.rect.empty()) fill.clear_depth = depth.value;
     }
 
     void copy(const Pass& pass, const CopyRectangle& rectangle, PassCounts& counts) {
+        memory_.frame.set_zeros(rectangle.source);
         const PixelRect& from = rectangle.from;
-        const raster::CopyFill fill{.source        = memory_.image(rectangle.source),
+        const int scale       = rectangle.halve ? 2 : 1;
+        const raster::CopyFill fill{.source        = memory_.frame.image(rectangle.source),
                                     .source_format = color_format(format(rectangle.source)),
-                                    .from          = {from.x0, from.y0, from.x1, from.y1},
-                                    .target        = memory_.image(pass.color),
+                                    .from          = to_rect(from),
+                                    .target        = memory_.frame.image(pass.color),
                                     .target_format = color_format(format(pass.color)),
                                     .x             = rectangle.x,
                                     .y             = rectangle.y,
                                     .halve         = rectangle.halve};
-        if (options_.backend == Backend::Reference)
+        memory_.frame.add_drawn(
+            pass.color, {fill.x, fill.y, fill.x + (from.x1 - from.x0) / scale, fill.y + (from.y1 - from.y0) / scale});
+        if (is_reference())
             raster::reference_copy_pixels(fill);
         else
-            arena_.run([&] { raster::copy_pixels(fill); });
-        const std::uint64_t read =
-            static_cast<std::uint64_t>(from.x1 - from.x0) * static_cast<std::uint64_t>(from.y1 - from.y0);
+            raster::copy_pixels(fill);
+        const std::uint64_t read    = area(fill.from);
         const std::uint64_t written = read / (rectangle.halve ? 4 : 1);
         ++counts.copies;
         counts.texels += read;
@@ -152,49 +223,32 @@ class FrameExecution {
         counts.bytes += read * pixel_bytes(rectangle.source) + written * pixel_bytes(pass.color);
     }
 
-    // Each vertex job becomes a draw of its own; the order stays that of the pass.
-    void add_draws(const Pass& pass, const PixelRect& viewport, raster::PassFill& fill, PassCounts& counts) {
-        std::vector<VertexJob> jobs;
-        const auto state = [&](const TextureBindings& textures) {
-            return lower(frame_.arithmetic, pass.state, pass.color ? std::optional(format(pass.color)) : std::nullopt,
-                         textures, memory_);
+    static void add_stage_counts(const VertexStageCounts& stage, PassCounts& counts) {
+        counts.vertices += stage.vertices;
+        counts.triangles_in += stage.triangles_in;
+        counts.triangles_drawn += stage.triangles_drawn;
+    }
+
+    void count_clear(const Pass& pass, const raster::Rect& scissor, PassCounts& counts) const {
+        const auto add = [&](bool clears, TargetId target) {
+            if (!clears) return;
+            counts.cleared += area(scissor);
+            counts.bytes += area(scissor) * pixel_bytes(target);
         };
-        for (const Draw& draw : pass.draws) {
-            if (const auto* triangles = std::get_if<DrawTriangles>(&draw)) {
-                for (std::uint32_t done = 0; done < triangles->index_count; done += kJobIndices) {
-                    jobs.push_back({triangles, triangles->first_index + done,
-                                    std::min(kJobIndices, triangles->index_count - done)});
-                    fill.draws.push_back({state(triangles->textures), {}, {}});
-                }
-            } else if (const auto* rectangle = std::get_if<DrawRectangle>(&draw)) {
-                jobs.push_back({nullptr, 0, 0});
-                fill.draws.push_back({state(rectangle->textures), {}, {lower(*rectangle)}});
-                fill.draws.back().state.fog = false;
-                ++counts.rectangles;
-            }
-        }
-        arena_.run([&] {
-            tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
-                VertexJob& job = jobs[i];
-                if (!job.draw) return;
-                job.counts =
-                    run_vertex_stage(frame_, pass, *job.draw, job.first, job.count, viewport, fill.draws[i].triangles);
-                if (job.first == job.draw->first_index) job.vertices = count_vertices(frame_, *job.draw);
-            });
-        });
-        for (const VertexJob& job : jobs) {
-            counts.vertices += job.vertices;
-            counts.triangles_in += job.counts.triangles_in;
-            counts.triangles_drawn += job.counts.triangles_drawn;
-        }
+        add(pass.clear.color.has_value(), pass.color);
+        add(pass.clear.depth.has_value(), pass.depth);
     }
 
     // What follows from the fragments and the state.
-    void count(const Pass& pass, const raster::FillCounts& filled, PassCounts& counts) const {
+    void count_fill(const Pass& pass, const raster::FillCounts& filled, PassCounts& counts) const {
         const PipelineState& state = pass.state;
         const bool masked          = state.color_mask != ColorMask{} || state.alpha_test.fail == AlphaFail::RgbOnly;
         const bool blends          = reads_destination(frame_.arithmetic, state);
-        counts.covered             = filled.covered;
+        counts.rectangles +=
+            static_cast<std::uint64_t>(std::count_if(pass.draws.begin(), pass.draws.end(), [](const Draw& draw) {
+                return std::holds_alternative<DrawRectangle>(draw);
+            }));
+        counts.covered = filled.covered;
         counts.texels += filled.texels;
         counts.depth_tested  = state.depth.func != CompareFunc::Always ? filled.alpha_passed : 0;
         counts.depth_passed  = filled.depth_passed;
@@ -208,28 +262,41 @@ class FrameExecution {
 
     const Frame& frame_;
     const ExecuteOptions& options_;
-    FrameMemory& memory_;
+    ExecutorMemory& memory_;
     StoreFunction* stored_;
     raster::ThreadArena arena_;
 };
 
 }  // namespace
 
-Executor::Executor() : memory_(std::make_unique<FrameMemory>()) {}
+Executor::Executor() : memory_(std::make_unique<ExecutorMemory>()) {}
 Executor::~Executor() = default;
 
-Execution Executor::execute(const Frame& frame, const ExecuteOptions& options, const PassObserver& observer) {
+void Executor::execute(const Frame& frame, Execution& out, const ExecuteOptions& options,
+                       const PassObserver& observer) {
     const std::vector<Finding> findings = validate(frame);
     if (!findings.empty()) throw std::invalid_argument(findings[0].where + " " + findings[0].what);
     FrameExecution execution(frame, options, *memory_);
-    Execution out;
-    out.counts.reserve(frame.passes.size());
-    for (std::size_t i = 0; i < frame.passes.size(); ++i) {
-        const Pass& pass = frame.passes[i];
-        out.counts.push_back(execution.run(pass));
-        if (observer) observer({i, pass, out.counts.back(), [&] { return execution.read(pass.color); }});
+    out.counts.assign(frame.passes.size(), {});
+    const bool one_by_one = observer || options.backend == Backend::Reference;
+    std::size_t index     = 0;
+    for (const PassGroup& group : schedule_passes(frame, one_by_one)) {
+        execution.run(group, index++, out.counts);
+        if (!observer) continue;
+        const Pass& pass      = frame.passes[group.first];
+        const auto read_color = [&] {
+            ColorImage image;
+            execution.read(pass.color, image);
+            return image;
+        };
+        observer({group.first, pass, out.counts[group.first], read_color});
     }
-    out.output = execution.read(frame.output);
+    execution.read(frame.output, out.output);
+}
+
+Execution Executor::execute(const Frame& frame, const ExecuteOptions& options, const PassObserver& observer) {
+    Execution out;
+    execute(frame, out, options, observer);
     return out;
 }
 

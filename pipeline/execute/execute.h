@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws a frame: a pure function of it, the same bytes on every machine, whatever the options. The only user of raster/.
+// Draws a frame: a pure function of it, the same bytes on every machine, whatever the options. The only user of
+// raster/.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,8 @@ struct ColorImage {
     bool operator==(const ColorImage&) const = default;
 };
 
-// Called after each pass, in order; `read_color` copies the pass's colour target (an empty image if it has none).
+// Called after each pass, in order, with which passes are drawn one by one, and somewhat slower; `read_color` copies
+// the pass's colour target (an empty image if it has none).
 struct FinishedPass {
     std::size_t index;
     const Pass& pass;
@@ -43,24 +45,30 @@ struct Execution {
     std::vector<PassCounts> counts;  // one for each pass
 };
 
-// Draws frames one after the other and keeps the memory of targets and textures in between. Not for use by two threads at once.
+// Draws frames one after the other and keeps the memory that one took for the next. Not for use by two threads at once.
 class Executor {
   public:
     Executor();
     ~Executor();
 
-    // The frame must be valid (pipeline/validate/validate.h); throws std::invalid_argument with the first finding if it is not.
+    // The frame must be valid (pipeline/validate/validate.h); throws std::invalid_argument with the first finding if it
+    // is not.
     Execution execute(const Frame& frame, const ExecuteOptions& options = {}, const PassObserver& observer = {});
 
+    // The same in place of what `out` holds, whose memory is used again.
+    void execute(const Frame& frame, Execution& out, const ExecuteOptions& options = {},
+                 const PassObserver& observer = {});
+
   private:
-    std::unique_ptr<class FrameMemory> memory_;
+    std::unique_ptr<struct ExecutorMemory> memory_;
 };
 
 // One frame by itself.
 Execution execute(const Frame& frame, const ExecuteOptions& options = {}, const PassObserver& observer = {});
 
-// The instruction sets compiled in that this machine has, best first, by Highway's name (AVX3, AVX2, SSE4, ...); and the
-// choice of one for all later fills, or of the best again with "". Throws std::invalid_argument for an unknown name.
+// The instruction sets compiled in that this machine has, best first, by Highway's name (AVX3, AVX2, SSE4, ...); and
+// the choice of one for all later fills, or of the best again with "". Throws std::invalid_argument for an unknown
+// name.
 std::vector<std::string> simd_targets();
 void force_simd_target(const std::string& name);
 

@@ -4,8 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cstring>
-#include <set>
 
 #include "pipeline/execute/lower.h"
 #include "raster/fill_pass.h"
@@ -13,50 +11,83 @@
 namespace pipeline {
 namespace {
 
-void expand(const Texture& texture, std::vector<std::uint32_t>& out) {
-    out.resize(texture.texels.size() / static_cast<std::size_t>(bytes_per_texel(texture.format)));
-    switch (texture.format) {
-        case TextureFormat::A8:
-            std::transform(texture.texels.begin(), texture.texels.end(), out.begin(),
-                           [](std::uint8_t a) { return static_cast<std::uint32_t>(a) << 24; });
-            break;
-        case TextureFormat::L8:
-            std::transform(texture.texels.begin(), texture.texels.end(), out.begin(),
-                           [](std::uint8_t l) { return 0xff000000u | l * 0x010101u; });
-            break;
-        case TextureFormat::A8R8G8B8:  // B, G, R, A: a little-endian 0xAARRGGBB
-            std::memcpy(out.data(), texture.texels.data(), texture.texels.size());
-            break;
-    }
-}
-
-std::vector<std::int32_t> bound_textures(const Frame& frame) {
-    std::set<std::int32_t> bound;
+void set_bound_textures(const Frame& frame, std::vector<bool>& is_bound) {
+    is_bound.assign(frame.textures.size(), false);
     for (const Pass& pass : frame.passes)
         for (const Draw& draw : pass.draws)
             for (const TextureBinding& binding : textures_of(draw))
-                if (binding.texture) bound.insert(binding.texture.index);
-    return {bound.begin(), bound.end()};
+                if (binding.texture) is_bound[static_cast<std::size_t>(binding.texture.index)] = true;
 }
 
 }  // namespace
 
+void FrameMemory::TextureMemory::set(const Texture& texture) {
+    const std::vector<std::uint8_t>& from = texture.texels;
+    // A8R8G8B8 is B, G, R, A in memory, a little-endian 0xAARRGGBB, and the vector's own memory is aligned for any
+    // type.
+    if (texture.format == TextureFormat::A8R8G8B8) {
+        texels = reinterpret_cast<const std::uint32_t*>(from.data());
+        return;
+    }
+    if (format != texture.format || source != from) {
+        format = texture.format;
+        source = from;
+        expanded.resize(from.size());
+        if (format == TextureFormat::A8)
+            std::transform(from.begin(), from.end(), expanded.begin(),
+                           [](std::uint8_t a) { return static_cast<std::uint32_t>(a) << 24; });
+        else
+            std::transform(from.begin(), from.end(), expanded.begin(),
+                           [](std::uint8_t l) { return 0xff000000u | l * 0x010101u; });
+    }
+    texels = expanded.data();
+}
+
 void FrameMemory::prepare(const Frame& frame, StoreFunction* stored) {
     frame_ = &frame;
-    images_.resize(frame.targets.size());
-    tbb::parallel_for(std::size_t{0}, images_.size(), [&](std::size_t i) {
-        const Target& target = frame.targets[i];
-        if (images_[i].width() == target.width && images_[i].height() == target.height)
-            images_[i].clear();
-        else
-            images_[i] = raster::Image(target.width, target.height);
+    targets_.resize(frame.targets.size());
+    tbb::parallel_for(std::size_t{0}, targets_.size(), [&](std::size_t i) {
+        const Target& target     = frame.targets[i];
+        TargetMemory& memory     = targets_[i];
         const std::uint32_t zero = is_depth(target.format) ? 0 : stored(color_format(target.format), 0);
-        if (zero != 0) raster::fill_rect(images_[i], images_[i].bounds(), zero);
+        if (memory.image.width() != target.width || memory.image.height() != target.height) {
+            memory.image   = raster::Image(target.width, target.height);
+            memory.written = {};
+            memory.zero    = 0;
+        }
+        if (memory.zero != zero) memory.written = memory.image.bounds();
+        memory.zero       = zero;
+        memory.is_started = false;
     });
-    texels_.resize(frame.textures.size());
-    const std::vector<std::int32_t> bound = bound_textures(frame);
-    tbb::parallel_for(std::size_t{0}, bound.size(),
-                      [&](std::size_t i) { expand(frame.textures[bound[i]], texels_[bound[i]]); });
+    textures_.resize(frame.textures.size());
+    set_bound_textures(frame, is_bound_);
+    tbb::parallel_for(std::size_t{0}, textures_.size(), [&](std::size_t i) {
+        if (is_bound_[i]) textures_[i].set(frame.textures[i]);
+    });
+}
+
+FrameMemory::Start FrameMemory::start(TargetId id) {
+    if (!id) return {};
+    TargetMemory& target = targets_[id.index];
+    if (target.is_started) return {};
+    target.is_started       = true;
+    const raster::Rect rect = target.written;
+    target.written          = {};
+    return {rect, target.zero};
+}
+
+void FrameMemory::set_zeros(TargetId id) {
+    if (!id) return;
+    const Start zeros = start(id);
+    if (zeros.rect.empty()) return;
+    raster::Image& image = targets_[id.index].image;
+    tbb::parallel_for(zeros.rect.y0, zeros.rect.y1, [&](int y) {
+        raster::fill_rect(image, {zeros.rect.x0, y, zeros.rect.x1, y + 1}, zeros.value);
+    });
+}
+
+void FrameMemory::add_drawn(TargetId id, const raster::Rect& rect) {
+    if (id) targets_[id.index].written = hull(targets_[id.index].written, rect);
 }
 
 raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
@@ -67,7 +98,7 @@ raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
     } else if (binding.texture) {
         const Texture& texture      = frame_->textures[binding.texture.index];
         sampler.texel_bytes         = bytes_per_texel(texture.format);
-        const std::uint32_t* texels = texels_[binding.texture.index].data();
+        const std::uint32_t* texels = textures_[binding.texture.index].texels;
         for (int level = 0; level < texture.levels; ++level) {
             const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
             sampler.levels.push_back({texels, width, height, width});

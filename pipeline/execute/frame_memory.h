@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A frame's targets and textures as the rasterizer sees them. What one frame has allocated serves the next.
+// A frame's targets and textures as the rasterizer sees them. What one frame has allocated, and left alone, serves the
+// next: of a target only what was written is set back to zeros, when something first uses it, and a texture that has
+// not changed is not expanded again.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +18,46 @@ using StoreFunction = std::uint32_t(const raster::ColorFormat& format, std::uint
 
 class FrameMemory {
   public:
-    // Targets become what they are if zeros are written. The frame must outlive its drawing. Uses the threads of the arena it is called in.
-    // `stored`: see raster/color_format.h.
+    // The frame must outlive its drawing. Uses the threads of the arena it is called in. `stored`: see
+    // raster/color_format.h.
     void prepare(const Frame& frame, StoreFunction* stored);
 
-    raster::Image* image(TargetId id) { return id ? &images_[id.index] : nullptr; }
-    const raster::Image& image(TargetId id) const { return images_[id.index]; }
+    raster::Image* image(TargetId id) { return id ? &targets_[id.index].image : nullptr; }
+    const raster::Image& image(TargetId id) const { return targets_[id.index].image; }
+
+    // Targets start as if zeros had been written. `start` is called before a target is first drawn to: the caller
+    // sets `rect` to `value` then, and the rest is so already; the rectangle is empty from the second call on.
+    // `set_zeros` does all of it at once.
+    struct Start {
+        raster::Rect rect;
+        std::uint32_t value = 0;
+    };
+    Start start(TargetId id);
+    void set_zeros(TargetId id);
+
+    // Must be told of all that is drawn.
+    void add_drawn(TargetId id, const raster::Rect& rect);
 
     // The levels of what is bound, with the filters left at their defaults; none if nothing is.
     raster::Sampler sampler(const TextureBinding& binding) const;
 
   private:
-    std::vector<raster::Image> images_;
-    std::vector<std::vector<std::uint32_t>>
-        texels_;  // 0xAARRGGBB, whatever the texture's format; only of bound textures
+    struct TargetMemory {
+        raster::Image image;
+        raster::Rect written;    // all else is `zero`
+        std::uint32_t zero = 0;  // what a target holds once zeros have been written
+        bool is_started    = false;
+    };
+    struct TextureMemory {
+        const std::uint32_t* texels = nullptr;  // 0xAARRGGBB, whatever the texture's format
+        TextureFormat format        = TextureFormat::A8R8G8B8;
+        std::vector<std::uint8_t> source;  // what was expanded, and to what
+        std::vector<std::uint32_t> expanded;
+        void set(const Texture& texture);
+    };
+    std::vector<TargetMemory> targets_;
+    std::vector<TextureMemory> textures_;  // only bound ones are up to date
+    std::vector<bool> is_bound_;
     const Frame* frame_ = nullptr;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "pipeline/execute/vertex_stage.h"
-#include "raster/sample_blocks.h"
+#include "raster/sample_plan.h"
 
 namespace pipeline {
 

@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/execute/vertex_stage.h"
 
-#include <algorithm>
-#include <cmath>
-#include <span>
+#include <tbb/parallel_for.h>
 
-#include "pipeline/execute/clip.h"
-#include "pipeline/execute/fog.h"
-#include "pipeline/execute/lighting.h"
-#include "pipeline/execute/lower.h"
-#include "pipeline/execute/vector_math.h"
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <deque>
+#include <optional>
+
 #include "pipeline/execute/vertex_list.h"
 
 namespace pipeline {
 namespace {
-
-// round(c * 255), half up; exact in double.
-std::uint32_t to_byte(float channel) {
-    return static_cast<std::uint32_t>(clamp01(channel) * 255.0 + 0.5);
-}
-
-std::uint32_t pack(float alpha, const Vec3& color) {
-    return to_byte(alpha) << 24 | to_byte(color.r) << 16 | to_byte(color.g) << 8 | to_byte(color.b);
-}
-
-bool is_finite(const Vec4& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-}
 
 // What raster/primitives.h asks of texture coordinates. Not-a-number is out of range as well.
 bool has_coords_in_range(const raster::Vertex& vertex) {
@@ -35,40 +21,7 @@ bool has_coords_in_range(const raster::Vertex& vertex) {
                        [&](const raster::TexCoord& uv) { return in_range(uv.s) && in_range(uv.t) && in_range(uv.q); });
 }
 
-// The viewport transform, snapping, and the guard band as bounds of its result.
-class Window {
-  public:
-    Window(const PixelRect& viewport, const raster::PixelGrid& grid)
-        : grid_(grid),
-          x_(static_cast<float>(viewport.x0)),
-          y_(static_cast<float>(viewport.y0)),
-          width_(static_cast<float>(viewport.x1 - viewport.x0)),
-          height_(static_cast<float>(viewport.y1 - viewport.y0)) {}
-
-    ClipVolume guard_band() const {
-        return {.gx = 1.0 + 2.0 * kGuardBand / width_, .gy = 1.0 + 2.0 * kGuardBand / height_};
-    }
-
-    void place(const Vec4& clip, raster::Vertex& vertex) const {
-        const float x = x_ + (1.0f + clip.x / clip.w) * width_ / 2.0f;
-        const float y = y_ + (1.0f - clip.y / clip.w) * height_ / 2.0f;
-        vertex.x      = std::clamp(x, x_ - kGuardBand, x_ + width_ + kGuardBand);
-        vertex.y      = std::clamp(y, y_ - kGuardBand, y_ + height_ + kGuardBand);
-        vertex.z      = std::clamp(clip.z / clip.w, 0.0f, 1.0f);
-        vertex.rhw    = 1.0f / clip.w;
-    }
-
-    raster::Subpixel snap(const raster::Vertex& vertex) const {
-        return raster::snap_to_subpixels(grid_, vertex.x, vertex.y);
-    }
-
-  private:
-    raster::PixelGrid grid_;
-    float x_, y_, width_, height_;
-};
-
-bool is_culled(CullMode mode, const raster::Subpixel& a, const raster::Subpixel& b, const raster::Subpixel& c) {
-    const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+bool is_culled(CullMode mode, std::int64_t area) {
     switch (mode) {
         case CullMode::None:
             return area == 0;
@@ -80,183 +33,282 @@ bool is_culled(CullMode mode, const raster::Subpixel& a, const raster::Subpixel&
     return false;
 }
 
-// What the stage makes of a vertex by itself: everything but clipping.
-class VertexShader {
-  public:
-    VertexShader(const Pass& pass, const Camera& camera, const Mat4& world)
-        : state_(pass.state),
-          lighting_(prepare_lighting(pass.state.lighting, camera.view, world)),
-          stage_count_(stage_count(pass.state)) {
-        const glm::dmat4 object_to_camera = glm::dmat4(camera.view) * glm::dmat4(world);
-        object_to_camera_                 = Mat4(object_to_camera);
-        object_to_clip_                   = Mat4(glm::dmat4(camera.projection) * object_to_camera);
-    }
-
-    Vec4 clip_position(const Vertex& vertex) const { return object_to_clip_ * Vec4(vertex.position, 1.0f); }
-
-    ClipVertex shade(const Vertex& vertex, const Vec4& clip_position) const {
-        const Vec3 camera_position(object_to_camera_ * Vec4(vertex.position, 1.0f));
-        const VertexColors colors = light_vertex(lighting_, vertex, camera_position);
-        ClipVertex result{.position = clip_position,
-                          .diffuse  = colors.diffuse,
-                          .specular = colors.specular,
-                          .fog      = fog_factor(state_.fog, camera_position)};
-        for (int stage = 0; stage < stage_count_; ++stage)
-            result.uv[stage] = texture_coords(state_.stages[stage], vertex, camera_position);
-        return result;
-    }
-
-  private:
-    static ClipVertex::TexCoord texture_coords(const TextureStage& stage, const Vertex& vertex,
-                                               const Vec3& camera_position) {
-        switch (stage.coords) {
-            case CoordSource::Vertex0:
-                return {vertex.uv0.x, vertex.uv0.y, 1.0f};
-            case CoordSource::Vertex1:
-                return {vertex.uv1.x, vertex.uv1.y, 1.0f};
-            case CoordSource::CameraPosition:
-                return stage.transform * Vec4(camera_position, 1.0f);
-        }
-        return {};
-    }
-
-    const PipelineState& state_;
-    CameraLighting lighting_;
-    Mat4 object_to_camera_{1.0f}, object_to_clip_{1.0f};
-    int stage_count_;
-};
-
-void set_attributes(const ClipVertex& from, raster::Vertex& to) {
-    to.diffuse  = pack(from.diffuse.a, Vec3(from.diffuse));
-    to.specular = pack(from.fog, from.specular);
-    for (std::size_t stage = 0; stage < to.uv.size(); ++stage)
-        to.uv[stage] = {from.uv[stage].x, from.uv[stage].y, from.uv[stage].z};
+std::int64_t area_of(const raster::Subpixel& a, const raster::Subpixel& b, const raster::Subpixel& c) {
+    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
 }
 
-// A vertex so far. Shading is the costly part, and put off until a triangle needs it.
-struct PlacedVertex {
-    Vec4 clip             = Vec4(0.0f);
-    bool is_finite        = false;
-    bool is_shaded        = false;
-    Outcode outside_guard = 0, outside_view = 0;
-    raster::Subpixel snapped;  // this and `window` only within the guard band
-    raster::Vertex window;     // colours and uv only once shaded
+// A vertex after placing. Marks are set by several threads.
+struct Place {
+    std::int32_t x = 0, y = 0;        // snapped
+    std::uint16_t flags         = 0;  // raster::PlaceFlags
+    std::uint8_t is_referred_to = 0, is_needed = 0;
+    std::uint8_t is_out_of_range = 0;
+};
+void mark(std::uint8_t& what) {
+    std::atomic_ref(what).store(1, std::memory_order_relaxed);
+}
+
+// Corners of a triangle are places in the draw's vertices, or, from kExtra on, in its chunk's extra ones.
+constexpr std::uint32_t kExtra = 0x80000000;
+
+// A draw on its way through the stage.
+struct Work {
+    VertexStageDraw* draw = nullptr;
+    std::optional<VertexShader> shader;
+    VertexList list;
+    std::vector<Place> places;
+    std::atomic<bool> has_out_of_range              = false;
+    std::atomic<std::uint64_t> vertices_referred_to = 0;
 };
 
-class TriangleStage {
-  public:
-    TriangleStage(const Frame& frame, const Pass& pass, const DrawTriangles& draw, const PixelRect& viewport,
-                  std::span<const std::uint32_t> indices, std::vector<raster::Triangle>& out)
-        : source_(frame.vertices),
-          cull_(pass.state.cull),
-          is_flat_(pass.state.shade == ShadeMode::Flat),
-          shader_(pass, frame.cameras[pass.camera.index], draw.world),
-          window_(viewport, pixel_grid(frame.arithmetic)),
-          guard_band_(window_.guard_band()),
-          list_(list_vertices(indices)),
-          out_(out) {}
+// A part of a draw's vertices or triangles, which one task takes through a step.
+struct VertexChunk {
+    Work* work;
+    std::uint32_t first, end;  // places
+};
+struct TriangleChunk {
+    Work* work        = nullptr;
+    std::size_t first = 0, end = 0;               // corners
+    std::vector<raster::TriangleCorners> kept;    // what is left of them
+    std::vector<raster::Vertex> extra;            // made by clipping
+    std::size_t first_kept = 0, first_extra = 0;  // where they go in raster::Draw
+};
+constexpr std::uint32_t kChunkVertices = 1024;
+constexpr std::size_t kChunkCorners    = 3 * 1024;
 
-    VertexStageCounts run() {
-        const std::size_t drawn_before = out_.size();
-        place_vertices();
-        for (std::size_t i = 0; i + 2 < list_.corners.size(); i += 3)
-            add_triangle({list_.corners[i], list_.corners[i + 1], list_.corners[i + 2]});
-        return {.triangles_in = list_.corners.size() / 3, .triangles_drawn = out_.size() - drawn_before};
+// Vertices on their way through a kernel.
+class VertexBlock {
+  public:
+    explicit VertexBlock(const Work& work) : work_(work) {}
+    std::span<const std::uint32_t> vertices() const { return {vertices_, count_}; }
+    std::uint32_t place(std::size_t i) const { return places_[i]; }
+    bool is_full() const { return count_ == raster::kVertexBlock; }
+    void clear() { count_ = 0; }
+    void add(std::uint32_t place) {
+        places_[count_]     = place;
+        vertices_[count_++] = work_.list.vertex(place);
     }
 
   private:
-    using Corners = std::array<std::uint32_t, 3>;  // into placed_
-
-    void place_vertices() {
-        constexpr ClipVolume kViewport{};
-        placed_.resize(list_.vertices.size());
-        for (std::size_t i = 0; i < placed_.size(); ++i) {
-            PlacedVertex& vertex = placed_[i];
-            vertex.clip          = shader_.clip_position(source_[list_.vertices[i]]);
-            vertex.is_finite     = is_finite(vertex.clip);
-            if (!vertex.is_finite) continue;
-            vertex.outside_view  = outcode(kViewport, vertex.clip);
-            vertex.outside_guard = outcode(guard_band_, vertex.clip);
-            if (vertex.outside_guard) continue;
-            window_.place(vertex.clip, vertex.window);
-            vertex.snapped = window_.snap(vertex.window);
-        }
-    }
-
-    void add_triangle(const Corners& corners) {
-        const PlacedVertex &a = placed_[corners[0]], &b = placed_[corners[1]], &c = placed_[corners[2]];
-        if (!(a.is_finite && b.is_finite && c.is_finite)) return;
-        if (a.outside_view & b.outside_view & c.outside_view) return;
-        if (a.outside_guard | b.outside_guard | c.outside_guard)
-            add_clipped(corners);
-        else
-            add_whole(corners);
-    }
-
-    ClipVertex shaded(std::uint32_t corner) const {
-        return shader_.shade(source_[list_.vertices[corner]], placed_[corner].clip);
-    }
-
-    const raster::Vertex& shaded_window(std::uint32_t corner) {
-        PlacedVertex& vertex = placed_[corner];
-        if (!vertex.is_shaded) set_attributes(shaded(corner), vertex.window);
-        vertex.is_shaded = true;
-        return vertex.window;
-    }
-
-    void add_whole(const Corners& corners) {
-        const PlacedVertex &a = placed_[corners[0]], &b = placed_[corners[1]], &c = placed_[corners[2]];
-        if (is_culled(cull_, a.snapped, b.snapped, c.snapped)) return;
-        raster::Triangle triangle{shaded_window(corners[0]), shaded_window(corners[1]), shaded_window(corners[2])};
-        if (!std::all_of(triangle.begin(), triangle.end(), has_coords_in_range)) return;
-        if (is_flat_)
-            for (raster::Vertex& vertex : triangle) {
-                vertex.diffuse  = triangle[0].diffuse;
-                vertex.specular = triangle[0].specular;
-            }
-        out_.push_back(triangle);
-    }
-
-    // As a fan around the polygon's first corner.
-    void add_clipped(const Corners& corners) {
-        const std::array<ClipVertex, 3> triangle{shaded(corners[0]), shaded(corners[1]), shaded(corners[2])};
-        const ClippedPolygon polygon = clip_triangle(guard_band_, triangle);
-        std::array<raster::Vertex, ClippedPolygon::kMaxCorners> corner;
-        for (int i = 0; i < polygon.count; ++i) {
-            window_.place(polygon.corners[i].position, corner[i]);
-            set_attributes(is_flat_ ? with_colors_of(triangle[0], polygon.corners[i]) : polygon.corners[i], corner[i]);
-        }
-        if (!std::all_of(corner.begin(), corner.begin() + polygon.count, has_coords_in_range)) return;
-
-        for (int i = 2; i < polygon.count; ++i)
-            if (!is_culled(cull_, window_.snap(corner[0]), window_.snap(corner[i - 1]), window_.snap(corner[i])))
-                out_.push_back({corner[0], corner[i - 1], corner[i]});
-    }
-
-    static ClipVertex with_colors_of(const ClipVertex& first, ClipVertex vertex) {
-        vertex.diffuse  = first.diffuse;
-        vertex.specular = first.specular;
-        vertex.fog      = first.fog;
-        return vertex;
-    }
-
-    const std::vector<Vertex>& source_;
-    CullMode cull_;
-    bool is_flat_;
-    VertexShader shader_;
-    Window window_;
-    ClipVolume guard_band_;
-    VertexList list_;
-    std::vector<PlacedVertex> placed_;
-    std::vector<raster::Triangle>& out_;
+    const Work& work_;
+    std::uint32_t places_[raster::kVertexBlock], vertices_[raster::kVertexBlock];
+    std::size_t count_ = 0;
 };
+
+void place_vertices(const VertexChunk& chunk) {
+    Work& work = *chunk.work;
+    VertexBlock block(work);
+    raster::PlacedVertices placed;
+    for (std::uint32_t place = chunk.first; place < chunk.end; ++place) {
+        block.add(place);
+        if (!block.is_full() && place + 1 < chunk.end) continue;
+        work.shader->place_block(block.vertices(), placed);
+        for (std::size_t i = 0; i < block.vertices().size(); ++i) {
+            const int lane              = static_cast<int>(i);
+            work.places[block.place(i)] = {
+                .x = placed.x[lane], .y = placed.y[lane], .flags = static_cast<std::uint16_t>(placed.flags[lane])};
+        }
+        block.clear();
+    }
+}
+
+ClipVertex with_colors_of(const ClipVertex& first, ClipVertex vertex) {
+    vertex.diffuse  = first.diffuse;
+    vertex.specular = first.specular;
+    vertex.fog      = first.fog;
+    return vertex;
+}
+
+// Adds what clipping leaves, as a fan around the polygon's first corner.
+void clip(const Frame& frame, const std::array<std::uint32_t, 3>& corners, TriangleChunk& chunk) {
+    const Work& work           = *chunk.work;
+    const PipelineState& state = work.draw->pass->state;
+    const Window& window       = work.shader->window();
+    std::array<ClipVertex, 3> triangle;
+    for (int i = 0; i < 3; ++i) triangle[i] = work.shader->shade(frame.vertices[work.list.vertex(corners[i])]);
+    const ClippedPolygon polygon = clip_triangle(window.guard_band(), triangle);
+    std::array<raster::Vertex, ClippedPolygon::kMaxCorners> corner;
+    std::array<raster::Subpixel, ClippedPolygon::kMaxCorners> snapped;
+    for (int i = 0; i < polygon.count; ++i) {
+        window.place(polygon.corners[i].position, corner[i]);
+        snapped[i]         = window.snap(corner[i]);
+        const bool is_flat = state.shade == ShadeMode::Flat;
+        set_attributes(is_flat ? with_colors_of(triangle[0], polygon.corners[i]) : polygon.corners[i], corner[i]);
+    }
+    if (!std::all_of(corner.begin(), corner.begin() + polygon.count, has_coords_in_range)) return;
+
+    const std::uint32_t first = kExtra + static_cast<std::uint32_t>(chunk.extra.size());
+    chunk.extra.insert(chunk.extra.end(), corner.begin(), corner.begin() + polygon.count);
+    for (int i = 2; i < polygon.count; ++i) {
+        if (is_culled(state.cull, area_of(snapped[0], snapped[i - 1], snapped[i]))) continue;
+        const auto last = first + static_cast<std::uint32_t>(i);
+        chunk.kept.push_back({first, last - 1, last});
+    }
+}
+
+void cull_triangles(const Frame& frame, TriangleChunk& chunk) {
+    Work& work          = *chunk.work;
+    const CullMode cull = work.draw->pass->state.cull;
+    chunk.kept.clear();
+    chunk.extra.clear();
+    for (std::size_t i = chunk.first; i < chunk.end; i += 3) {
+        const std::array corners{work.list.corner(i), work.list.corner(i + 1), work.list.corner(i + 2)};
+        Place &a = work.places[corners[0]], &b = work.places[corners[1]], &c = work.places[corners[2]];
+        mark(a.is_referred_to), mark(b.is_referred_to), mark(c.is_referred_to);
+        const unsigned any = a.flags | b.flags | c.flags;
+        if ((any & raster::kNotFinite) || (a.flags & b.flags & c.flags & raster::kOutsideViewport)) continue;
+        if (any & raster::kOutsideBand) {
+            clip(frame, corners, chunk);
+            continue;
+        }
+        if (is_culled(cull, area_of({a.x, a.y}, {b.x, b.y}, {c.x, c.y}))) continue;
+        mark(a.is_needed), mark(b.is_needed), mark(c.is_needed);
+        chunk.kept.push_back(corners);
+    }
+}
+
+void shade_vertices(const VertexChunk& chunk) {
+    Work& work = *chunk.work;
+    VertexBlock block(work);
+    std::array<raster::Vertex, raster::kVertexBlock> shaded;
+    std::uint64_t referred_to = 0;
+    const auto shade          = [&] {
+        work.shader->shade_block(block.vertices(), shaded.data());
+        for (std::size_t i = 0; i < block.vertices().size(); ++i) {
+            work.draw->out->vertices[block.place(i)] = shaded[i];
+            if (has_coords_in_range(shaded[i])) continue;
+            work.places[block.place(i)].is_out_of_range = 1;
+            work.has_out_of_range                       = true;
+        }
+        block.clear();
+    };
+    for (std::uint32_t place = chunk.first; place < chunk.end; ++place) {
+        referred_to += work.places[place].is_referred_to;
+        if (work.places[place].is_needed) block.add(place);
+        if (block.is_full()) shade();
+    }
+    shade();
+    work.vertices_referred_to += referred_to;
+}
+
+void copy_triangles(const TriangleChunk& chunk) {
+    raster::Draw& out           = *chunk.work->draw->out;
+    const std::uint32_t shifted = static_cast<std::uint32_t>(chunk.first_extra) - kExtra;
+    std::copy(chunk.extra.begin(), chunk.extra.end(),
+              out.vertices.begin() + static_cast<std::ptrdiff_t>(chunk.first_extra));
+    std::transform(chunk.kept.begin(), chunk.kept.end(),
+                   out.triangles.begin() + static_cast<std::ptrdiff_t>(chunk.first_kept),
+                   [&](raster::TriangleCorners corners) {
+                       for (std::uint32_t& corner : corners)
+                           if (corner >= kExtra) corner += shifted;
+                       return corners;
+                   });
+}
+
+void drop_out_of_range(Work& work) {
+    const auto is_out = [&](const raster::TriangleCorners& corners) {
+        return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+            return corner < work.places.size() && work.places[corner].is_out_of_range;
+        });
+    };
+    std::erase_if(work.draw->out->triangles, is_out);
+}
 
 }  // namespace
 
-VertexStageCounts run_vertex_stage(const Frame& frame, const Pass& pass, const DrawTriangles& draw, std::uint32_t first,
-                                   std::uint32_t count, const PixelRect& viewport, std::vector<raster::Triangle>& out) {
-    const std::span<const std::uint32_t> indices = std::span(frame.indices).subspan(first, count);
-    return TriangleStage(frame, pass, draw, viewport, indices, out).run();
+struct VertexStage::Memory {
+    std::deque<Work> works;  // both grow only, so that what their elements hold is kept
+    std::vector<TriangleChunk> triangle_chunks;
+    std::vector<VertexChunk> vertex_chunks;
+
+    void prepare(const Frame& frame, std::span<VertexStageDraw> draws, ShadingPath path);
+    std::span<TriangleChunk> list_chunks(std::size_t work_count);
+    void make_room(std::span<TriangleChunk> chunks, std::size_t work_count);
+};
+
+void VertexStage::Memory::prepare(const Frame& frame, std::span<VertexStageDraw> draws, ShadingPath path) {
+    while (works.size() < draws.size()) works.emplace_back();
+    tbb::parallel_for(std::size_t{0}, draws.size(), [&](std::size_t i) {
+        Work& work                = works[i];
+        VertexStageDraw& draw     = draws[i];
+        work.draw                 = &draw;
+        work.has_out_of_range     = false;
+        work.vertices_referred_to = 0;
+        work.shader.emplace(frame, *draw.pass, *draw.draw, draw.viewport, path);
+        work.list.set(std::span(frame.indices).subspan(draw.draw->first_index, draw.draw->index_count));
+        work.places.resize(work.list.size());
+        draw.out->flat = draw.pass->state.shade == ShadeMode::Flat;
+    });
+}
+
+std::span<TriangleChunk> VertexStage::Memory::list_chunks(std::size_t work_count) {
+    vertex_chunks.clear();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < work_count; ++i) {
+        Work& work = works[i];
+        for (std::uint32_t first = 0; first < work.list.size(); first += kChunkVertices)
+            vertex_chunks.push_back({&work, first, std::min(first + kChunkVertices, work.list.size())});
+        const std::size_t corners = work.list.corner_count() / 3 * 3;
+        for (std::size_t first = 0; first < corners; first += kChunkCorners) {
+            if (count == triangle_chunks.size()) triangle_chunks.emplace_back();
+            TriangleChunk& chunk = triangle_chunks[count++];
+            chunk.work           = &work;
+            chunk.first          = first;
+            chunk.end            = std::min(first + kChunkCorners, corners);
+        }
+    }
+    return std::span(triangle_chunks).first(count);
+}
+
+// In each draw for what its chunks have kept, one after the other; extra vertices come after the others.
+void VertexStage::Memory::make_room(std::span<TriangleChunk> chunks, std::size_t work_count) {
+    std::size_t chunk = 0;
+    for (std::size_t i = 0; i < work_count; ++i) {
+        Work& work        = works[i];
+        std::size_t kept  = 0;
+        std::size_t extra = work.places.size();
+        for (; chunk < chunks.size() && chunks[chunk].work == &work; ++chunk) {
+            chunks[chunk].first_kept  = kept;
+            chunks[chunk].first_extra = extra;
+            kept += chunks[chunk].kept.size();
+            extra += chunks[chunk].extra.size();
+        }
+        work.draw->out->triangles.resize(kept);
+        work.draw->out->vertices.resize(extra);
+    }
+}
+
+VertexStage::VertexStage() : memory_(std::make_unique<Memory>()) {}
+VertexStage::~VertexStage() = default;
+
+void VertexStage::run(const Frame& frame, std::span<VertexStageDraw> draws, ShadingPath path) {
+    Memory& memory = *memory_;
+    memory.prepare(frame, draws, path);
+    const std::span<TriangleChunk> triangles    = memory.list_chunks(draws.size());
+    const std::span<const VertexChunk> vertices = memory.vertex_chunks;
+    tbb::parallel_for(std::size_t{0}, vertices.size(), [&](std::size_t i) { place_vertices(vertices[i]); });
+    tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) { cull_triangles(frame, triangles[i]); });
+    memory.make_room(triangles, draws.size());
+    tbb::parallel_for(std::size_t{0}, vertices.size() + triangles.size(), [&](std::size_t i) {
+        if (i < vertices.size())
+            shade_vertices(vertices[i]);
+        else
+            copy_triangles(triangles[i - vertices.size()]);
+    });
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+        Work& work = memory.works[i];
+        if (work.has_out_of_range) drop_out_of_range(work);
+        draws[i].counts = {.vertices        = work.vertices_referred_to,
+                           .triangles_in    = work.list.corner_count() / 3,
+                           .triangles_drawn = draws[i].out->triangles.size()};
+    }
+}
+
+VertexStageCounts run_vertex_stage(const Frame& frame, const Pass& pass, const DrawTriangles& draw,
+                                   const PixelRect& viewport, raster::Draw& out, ShadingPath path) {
+    VertexStageDraw stage_draw{.pass = &pass, .draw = &draw, .viewport = viewport, .out = &out, .counts = {}};
+    VertexStage().run(frame, {&stage_draw, 1}, path);
+    return stage_draw.counts;
 }
 
 }  // namespace pipeline

@@ -17,23 +17,47 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <memory>
+#include <span>
 
+#include "pipeline/execute/vertex_shader.h"
 #include "pipeline/frame/frame.h"
-#include "raster/primitives.h"
+#include "raster/fill_pass.h"
 
 namespace pipeline {
 
-inline constexpr float kGuardBand = 4096.0f;  // pixels; with targets of 8192 this stays within raster::kMaxCoordinate
-
 struct VertexStageCounts {
+    std::uint64_t vertices     = 0;  // distinct ones that the draw refers to
     std::uint64_t triangles_in = 0, triangles_drawn = 0;
 };
 
-// Appends the triangles of Frame::indices [first, first + count), which is a part of the draw's range, to `out`, in
-// order; first is a multiple of 3 from draw.first_index, and so is count. `viewport` is already resolved (not empty).
-// Reentrant.
-VertexStageCounts run_vertex_stage(const Frame& frame, const Pass& pass, const DrawTriangles& draw, std::uint32_t first,
-                                   std::uint32_t count, const PixelRect& viewport, std::vector<raster::Triangle>& out);
+// A draw for the stage. `viewport` is already resolved (not empty); `out` gets the triangles, in order, and their
+// vertices, in place of those it had.
+struct VertexStageDraw {
+    const Pass* pass          = nullptr;
+    const DrawTriangles* draw = nullptr;
+    PixelRect viewport;
+    raster::Draw* out = nullptr;
+    VertexStageCounts counts;
+};
+
+// Keeps its memory from one run to the next. Not for use by two threads at once.
+class VertexStage {
+  public:
+    VertexStage();
+    ~VertexStage();
+
+    // Uses the threads of the arena it is called in.
+    void run(const Frame& frame, std::span<VertexStageDraw> draws, ShadingPath path = ShadingPath::Kernels);
+
+  private:
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
+};
+
+// One draw by itself.
+VertexStageCounts run_vertex_stage(const Frame& frame, const Pass& pass, const DrawTriangles& draw,
+                                   const PixelRect& viewport, raster::Draw& out,
+                                   ShadingPath path = ShadingPath::Kernels);
 
 }  // namespace pipeline

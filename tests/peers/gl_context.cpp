@@ -12,12 +12,13 @@
 namespace peers {
 namespace {
 
-void choose(Driver driver) {
+void choose(Driver driver, FastPaths fast_paths) {
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     setenv("GALLIUM_DRIVER", std::string(driver_name(driver)).c_str(), 1);
-    // llvmpipe's fast paths, off: filtering in 8 bits instead of in float (it is off by as much as 2 of 255), and one
-    // level of detail for each 2x2 pixels.
-    setenv("GALLIVM_PERF", "no_aos_sampling,no_quad_lod", 1);
+    if (fast_paths == FastPaths::On)
+        unsetenv("GALLIVM_PERF");
+    else
+        setenv("GALLIVM_PERF", "no_aos_sampling,no_quad_lod", 1);
 }
 
 std::string gl_string(GLenum name) {
@@ -47,8 +48,8 @@ bool is_driver(Driver driver) {
     return gl_string(GL_RENDERER).find(driver_name(driver)) != std::string::npos;
 }
 
-GlContext::GlContext(Driver driver) {
-    choose(driver);
+GlContext::GlContext(Driver driver, FastPaths fast_paths) {
+    choose(driver, fast_paths);
     const auto get_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (get_display == nullptr) throw std::runtime_error("EGL cannot choose a platform");

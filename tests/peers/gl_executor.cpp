@@ -24,16 +24,6 @@ void check_errors() {
         throw std::runtime_error("OpenGL reports error " + std::to_string(error));
 }
 
-// Without a format in between: the pass's target takes the other's bytes.
-void copy(const Pass& pass, const CopyRectangle& draw, GlMemory& memory) {
-    const PixelRect& from = draw.from;
-    memory.bind(draw.source, {});
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, memory.texture({.texture = {}, .target = pass.color}));
-    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, draw.x, draw.y, from.x0, from.y0, from.x1 - from.x0, from.y1 - from.y0);
-    memory.bind(pass.color, pass.depth);
-}
-
 }  // namespace
 
 GlExecutor::GlExecutor(const Frame& frame, std::optional<WindowTriangles> given)
@@ -59,7 +49,7 @@ void GlExecutor::draw_pass(std::size_t index) {
                                   const bool snaps = given_ == WindowTriangles::Snapped;
                                   draw_rectangle(frame_, pass, snaps ? snapped(d) : d, memory_);
                               },
-                              [&](const CopyRectangle& d) { copy(pass, d, memory_); }},
+                              [&](const CopyRectangle& d) { memory_.copy(d, pass.color); }},
                    draw);
     check_errors();
 }

@@ -17,15 +17,6 @@ using namespace pipeline;
 
 namespace {
 
-// A corner of a triangle or rectangle, as OpenGL's arrays read it.
-struct Corner {
-    Vec3 position;
-    Vec3 normal = Vec3(0.0f);
-    Argb diffuse, specular;
-    float fog = 1.0f;
-    std::array<Vec2, kTextureStages> uv;
-};
-
 double fog_factor(const FogState& fog, const Vec4& camera_position) {
     const glm::dvec4 p(camera_position);
     const double distance = fog.range ? std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) : std::abs(p.z);
@@ -43,6 +34,22 @@ double fog_factor(const FogState& fog, const Vec4& camera_position) {
     }
     return 1.0;
 }
+
+void load_matrix(GLenum which, const glm::dmat4& matrix) {
+    glMatrixMode(which);
+    glLoadMatrixd(&matrix[0][0]);
+}
+
+glm::dmat4 opengl_projection(const Mat4& projection) {
+    glm::dmat4 window(1.0), mirror(1.0);
+    window[1][1] = -1.0;  // y down
+    window[2][2] = 2.0;   // depth 0..1 to -1..1
+    window[3][2] = -1.0;
+    mirror[2][2] = -1.0;
+    return window * glm::dmat4(projection) * mirror;
+}
+
+}  // namespace
 
 std::vector<Corner> corners_of(const Frame& frame, const Pass& pass, const DrawTriangles& draw) {
     const Mat4 object_to_camera = frame.cameras[pass.camera.index].view * draw.world;
@@ -82,48 +89,31 @@ std::array<Corner, 4> corners_of(const DrawRectangle& draw) {
     return corners;
 }
 
-void load_matrix(GLenum which, const glm::dmat4& matrix) {
-    glMatrixMode(which);
-    glLoadMatrixd(&matrix[0][0]);
-}
-
-glm::dmat4 opengl_projection(const Mat4& projection) {
-    glm::dmat4 window(1.0), mirror(1.0);
-    window[1][1] = -1.0;  // y down
-    window[2][2] = 2.0;   // depth 0..1 to -1..1
-    window[3][2] = -1.0;
-    mirror[2][2] = -1.0;
-    return window * glm::dmat4(projection) * mirror;
-}
-
-void draw_corners(GLenum primitive, const Corner* corners, std::size_t count, int stages) {
+void set_arrays(std::uintptr_t corners, int stages) {
+    const auto at = [&](std::size_t offset) { return reinterpret_cast<const void*>(corners + offset); };
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_NORMAL_ARRAY);
     glEnableClientState(GL_COLOR_ARRAY);
     glEnableClientState(GL_SECONDARY_COLOR_ARRAY);
     glEnableClientState(GL_FOG_COORD_ARRAY);
-    glVertexPointer(3, GL_FLOAT, sizeof(Corner), &corners->position);
-    glNormalPointer(GL_FLOAT, sizeof(Corner), &corners->normal);
-    glColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, sizeof(Corner), &corners->diffuse);
-    glSecondaryColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, sizeof(Corner), &corners->specular);
-    glFogCoordPointer(GL_FLOAT, sizeof(Corner), &corners->fog);
+    glVertexPointer(3, GL_FLOAT, sizeof(Corner), at(offsetof(Corner, position)));
+    glNormalPointer(GL_FLOAT, sizeof(Corner), at(offsetof(Corner, normal)));
+    glColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, sizeof(Corner), at(offsetof(Corner, diffuse)));
+    glSecondaryColorPointer(GL_BGRA, GL_UNSIGNED_BYTE, sizeof(Corner), at(offsetof(Corner, specular)));
+    glFogCoordPointer(GL_FLOAT, sizeof(Corner), at(offsetof(Corner, fog)));
     for (int stage = 0; stage < kTextureStages; ++stage) {
         glClientActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + stage));
         if (stage < stages) {
             glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-            glTexCoordPointer(2, GL_FLOAT, sizeof(Corner), &corners->uv[stage]);
+            glTexCoordPointer(2, GL_FLOAT, sizeof(Corner),
+                              at(offsetof(Corner, uv) + static_cast<std::size_t>(stage) * sizeof(Vec2)));
         } else {
             glDisableClientState(GL_TEXTURE_COORD_ARRAY);
         }
     }
-    glDrawArrays(primitive, 0, static_cast<GLsizei>(count));
 }
 
-}  // namespace
-
-void draw_triangles(const Frame& frame, const Pass& pass, const DrawTriangles& draw, const GlMemory& memory) {
-    const std::vector<Corner> corners = corners_of(frame, pass, draw);
-    if (corners.empty()) return;
+int set_triangle_state(const Frame& frame, const Pass& pass, const TextureBindings& textures, const GlMemory& memory) {
     const Camera& camera     = frame.cameras[pass.camera.index];
     const PixelRect viewport = area_of(frame, pass).viewport;
     glViewport(viewport.x0, viewport.y0, viewport.x1 - viewport.x0, viewport.y1 - viewport.y0);
@@ -131,20 +121,22 @@ void draw_triangles(const Frame& frame, const Pass& pass, const DrawTriangles& d
         set_lighting(pass.state.lighting, camera);
     else
         set_no_lighting(pass.state.lighting.specular_enable);
-    const int stages = set_stages(pass.state, draw.textures, memory, true);
+    const int stages = set_stages(pass.state, textures, memory, true);
     set_fog(pass.state.fog);
     set_culling(pass.state.cull);
     load_matrix(GL_PROJECTION, opengl_projection(camera.projection));
-    load_matrix(GL_MODELVIEW, glm::dmat4(opengl_view(camera)) * glm::dmat4(draw.world));
-    draw_corners(GL_TRIANGLES, corners.data(), corners.size(), stages);
+    return stages;
 }
 
-void draw_rectangle(const Frame& frame, const Pass& pass, const DrawRectangle& draw, const GlMemory& memory) {
-    const std::array<Corner, 4> corners = corners_of(draw);
-    const Target& target                = frame.targets[(pass.color ? pass.color : pass.depth).index];
+void set_world(const Frame& frame, const Pass& pass, const Mat4& world) {
+    load_matrix(GL_MODELVIEW, glm::dmat4(opengl_view(frame.cameras[pass.camera.index])) * glm::dmat4(world));
+}
+
+int set_rectangle_state(const Frame& frame, const Pass& pass, const TextureBindings& textures, const GlMemory& memory) {
+    const Target& target = frame.targets[(pass.color ? pass.color : pass.depth).index];
     glViewport(0, 0, target.width, target.height);
     set_no_lighting(false);
-    const int stages = set_stages(pass.state, draw.textures, memory, false);
+    const int stages = set_stages(pass.state, textures, memory, false);
     set_fog({});
     set_culling(CullMode::None);
     // Pixels to -1..1, depth 0..1 likewise.
@@ -155,7 +147,23 @@ void draw_rectangle(const Frame& frame, const Pass& pass, const DrawRectangle& d
     projection[3]    = glm::dvec4(-1.0, -1.0, -1.0, 1.0);
     load_matrix(GL_PROJECTION, projection);
     load_matrix(GL_MODELVIEW, glm::dmat4(1.0));
-    draw_corners(GL_QUADS, corners.data(), corners.size(), stages);
+    return stages;
+}
+
+void draw_triangles(const Frame& frame, const Pass& pass, const DrawTriangles& draw, const GlMemory& memory) {
+    const std::vector<Corner> corners = corners_of(frame, pass, draw);
+    if (corners.empty()) return;
+    const int stages = set_triangle_state(frame, pass, draw.textures, memory);
+    set_world(frame, pass, draw.world);
+    set_arrays(reinterpret_cast<std::uintptr_t>(corners.data()), stages);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+}
+
+void draw_rectangle(const Frame& frame, const Pass& pass, const DrawRectangle& draw, const GlMemory& memory) {
+    const std::array<Corner, 4> corners = corners_of(draw);
+    const int stages                    = set_rectangle_state(frame, pass, draw.textures, memory);
+    set_arrays(reinterpret_cast<std::uintptr_t>(corners.data()), stages);
+    glDrawArrays(GL_QUADS, 0, static_cast<GLsizei>(corners.size()));
 }
 
 }  // namespace peers

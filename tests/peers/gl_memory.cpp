@@ -143,6 +143,16 @@ void GlMemory::bind(TargetId color, TargetId depth) {
         throw std::runtime_error("OpenGL refuses a framebuffer");
 }
 
+// Without a format in between: the target takes the other's bytes.
+void GlMemory::copy(const CopyRectangle& draw, TargetId into) {
+    const PixelRect& from = draw.from;
+    bind(draw.source, {});
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, targets_[into.index]);
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, draw.x, draw.y, from.x0, from.y0, from.x1 - from.x0, from.y1 - from.y0);
+    bind(into, {});
+}
+
 ColorImage GlMemory::read(TargetId color) {
     const Target& target = frame_.targets[color.index];
     bind(color, {});

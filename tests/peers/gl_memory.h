@@ -30,6 +30,9 @@ class GlMemory {
     // Makes the two targets, one of which may refer to nothing, what is drawn to and read from.
     void bind(pipeline::TargetId color, pipeline::TargetId depth);
 
+    // Into a colour target that is bound alone, and stays so.
+    void copy(const pipeline::CopyRectangle& draw, pipeline::TargetId into);
+
     pipeline::ColorImage read(pipeline::TargetId color);
     void write(pipeline::TargetId color, const pipeline::ColorImage& picture);
 

@@ -73,14 +73,15 @@ void draw_window_triangles(const Frame& frame, const Pass& pass, const DrawTrian
     const bool culls = which == WindowTriangles::Placed;
     Pass staged      = pass;
     if (culls) staged.state.cull = CullMode::None;
-    std::vector<raster::Triangle> triangles;
-    run_vertex_stage(frame, staged, draw, draw.first_index, draw.index_count, area_of(frame, pass).viewport, triangles);
-    if (triangles.empty()) return;
+    raster::Draw triangles;
+    run_vertex_stage(frame, staged, draw, area_of(frame, pass).viewport, triangles);
+    if (triangles.triangles.empty()) return;
 
     const Target& target = frame.targets[(pass.color ? pass.color : pass.depth).index];
     std::vector<Corner> corners;
-    for (const raster::Triangle& triangle : triangles)
-        for (const raster::Vertex& vertex : triangle) corners.push_back(corner_of(vertex, which, target));
+    for (const raster::TriangleCorners& triangle : triangles.triangles)
+        for (const raster::Vertex& vertex : raster::triangle_of(triangles, triangle))
+            corners.push_back(corner_of(vertex, which, target));
 
     glViewport(0, 0, target.width, target.height);
     set_no_lighting(pass.state.lighting.specular_enable);

@@ -25,8 +25,12 @@ std::vector<raster::Triangle> triangles_of(const Frame& frame, Pass pass, const 
     const PixelRect large{viewport.x0 * kFiner, viewport.y0 * kFiner, viewport.x1 * kFiner, viewport.y1 * kFiner};
     std::vector<raster::Triangle> triangles;
     for (const Draw& draw : pass.draws)
-        if (const auto* range = std::get_if<DrawTriangles>(&draw))
-            run_vertex_stage(frame, pass, *range, range->first_index, range->index_count, large, triangles);
+        if (const auto* range = std::get_if<DrawTriangles>(&draw)) {
+            raster::Draw staged;
+            run_vertex_stage(frame, pass, *range, large, staged);
+            for (const raster::TriangleCorners& corners : staged.triangles)
+                triangles.push_back(raster::triangle_of(staged, corners));
+        }
     for (raster::Triangle& triangle : triangles)
         for (raster::Vertex& vertex : triangle) {
             vertex.x /= float{kFiner};

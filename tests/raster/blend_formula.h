@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "raster/blend_blocks.h"
+#include "raster/fill_state.h"
 #include "tests/raster/exact.h"
 
 namespace blend_formula {

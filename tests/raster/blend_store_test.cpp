@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What surrounds a blend, against the formula: the cut of the source, both dithers at all 4 x 4 places, the formats
-// of the target, the top bit of alpha, and the masks. Kernels of all instruction sets and the scalar reference.
+// of the target, the top bit of alpha, the write mask, and what a fragment that fails the alpha test may still write.
+// On all instruction sets, and the scalar reference.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "raster/blend_blocks.h"
+#include "raster/fill_state.h"
 #include "tests/raster/blend_bench.h"
 #include "tests/raster/blend_formula.h"
 #include "tests/support/random.h"
@@ -33,6 +33,7 @@ constexpr std::array kFormats{
 // Each of -4..3 twice; no two rows, and no two columns, are alike.
 constexpr std::array<std::int8_t, 16> kMatrix{-4, 2, -3, 3, 0, -2, 1, -1, -3, 3, -4, 2, 1, -1, 0, -2};
 
+constexpr BlendFactor kSourceColor{BlendFactor::Operand::Source, false, false};
 constexpr BlendFactor kSourceAlpha{BlendFactor::Operand::Source, true, false};
 constexpr BlendFactor kInvSourceAlpha{BlendFactor::Operand::Source, true, true};
 
@@ -48,6 +49,7 @@ std::vector<Blend> blends() {
         list.push_back({.rule = rule});
         list.push_back({.rule = rule, .source = kSourceAlpha, .dest = kInvSourceAlpha});
         list.push_back({.rule = rule, .source = kOne, .dest = kOne});
+        list.push_back({.rule = rule, .source = kZero, .dest = kSourceColor});
     }
     list.push_back({.rule = BlendRule::Shift7});
     for (const bool clamp : {false, true}) {
@@ -113,7 +115,7 @@ TEST_CASE("Shift7: sums below 0 and above 255 meet the dither's offsets exactly"
     }
 }
 
-TEST_CASE("only bits of the write mask change, and of those the fragment's", "[raster]") {
+TEST_CASE("only bits of the write mask change, and of those what the alpha test leaves", "[raster]") {
     std::vector<std::uint32_t> masks{0x00f8fcf8, 0x80000000, 0x7fffffff, 0x00ff00f0};
     for (unsigned bits = 0; bits < 16; ++bits) {
         std::uint32_t mask = 0;
@@ -121,35 +123,54 @@ TEST_CASE("only bits of the write mask change, and of those the fragment's", "[r
             if (bits >> channel & 1) mask |= 0xffu << 8 * channel;
         masks.push_back(mask);
     }
+    // What a fragment may change that has failed.
+    struct Fail {
+        Compare func;
+        AlphaFail fail;
+        std::uint32_t bits;
+    };
+    static constexpr std::array kFails{Fail{Compare::Always, AlphaFail::Keep, 0xffffffff},
+                                       Fail{Compare::GreaterEqual, AlphaFail::Keep, 0},
+                                       Fail{Compare::GreaterEqual, AlphaFail::ColorOnly, 0xffffffff},
+                                       Fail{Compare::GreaterEqual, AlphaFail::DepthOnly, 0},
+                                       Fail{Compare::GreaterEqual, AlphaFail::RgbOnly, 0x00ffffff}};
     test_support::Random random(11);
     for (const ColorFormat& format : kFormats)
-        for (Blend blend : blends())
-            for (const std::uint32_t write_mask : masks) {
-                blend.write_mask = write_mask;
-                BlendBench bench(blend, format);
-                for (int lane = 0; lane < kLanes; ++lane) {
-                    bench.source()[lane] = random.bits();
-                    bench.dest()[lane]   = random.bits();
-                    bench.mask()[lane]   = random.one_of({0u, 0xffffffffu, 0x00ffffffu, random.bits()});
+        for (const Blend& blend : blends())
+            for (const std::uint32_t write_mask : masks)
+                for (const Fail& fail : kFails) {
+                    const int reference = random.from(0, 255);
+                    FillState state;
+                    state.alpha_func       = fail.func;
+                    state.alpha_fail       = fail.fail;
+                    state.alpha_reference  = static_cast<std::uint8_t>(reference);
+                    state.blend            = blend;
+                    state.blend.write_mask = write_mask;
+                    BlendBench bench(state, format);
+                    for (int lane = 0; lane < kLanes; ++lane) {
+                        bench.source()[lane] = random.bits();
+                        bench.dest()[lane]   = random.bits();
+                        const int alpha      = Pixel::of(bench.source()[lane]).c[3];
+                        bench.mask()[lane]   = alpha >= reference ? 0xffffffff : fail.bits;
+                        bench.set_live(lane, random.chance(75));
+                    }
+                    bench.want_formula(1);
+                    bench.run(1, {.reference = fail.func == Compare::Always});
                 }
-                bench.want_formula(1);
-                bench.run(1, {});
-            }
 }
 
-TEST_CASE("pixels beside the blocks of a batch stay as they are", "[raster]") {
-    const Blend blend{.rule = GENERATE(BlendRule::Nearest255, BlendRule::Trunc256, BlendRule::Shift7)};
-    const BlendPlan plan = plan_blend(blend, GENERATE(ColorFormat{}, ColorFormat{.red = 5, .green = 6, .blue = 5}));
-    auto batch           = std::make_unique<FragmentBatch>();
-    batch->count         = 1;
-    batch->at[0]         = {16, 1};
-    std::fill_n(batch->color[0], kBlockWidth, 0xffffffffu);
-    batch->mask[0][5] = 0xffffffff;
-    for (const auto& [name, kernel, fallback] : simd_kernels::on_every_target([&] { return blend_kernel(plan); })) {
-        INFO(name);
-        Image target(64, 3);
-        kernel(plan, target, *batch);
-        for (int y = 0; y < 3; ++y)
-            for (int x = 0; x < 64; ++x) CHECK(target.row(y)[x] == (x == 21 && y == 1 ? 0xffffffffu : 0u));
+TEST_CASE("pixels beside a fragment stay as they are", "[raster]") {
+    const BlendRule rule     = GENERATE(BlendRule::Nearest255, BlendRule::Trunc256, BlendRule::Shift7);
+    const ColorFormat format = GENERATE(ColorFormat{}, ColorFormat{.red = 5, .green = 6, .blue = 5});
+    BlendBench bench(Blend{.rule = rule}, format);
+    for (int only = 0; only < kLanes; ++only) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+            bench.set_live(lane, lane == only);
+            bench.source()[lane] = 0xffffffff;
+            bench.dest()[lane]   = 0;
+            bench.want()[lane]   = 0xffffffff;
+        }
+        bench.run(1, {});
     }
+    CHECK(bench.batches() == kLanes);
 }

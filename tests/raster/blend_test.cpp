@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Every blend state against its formula: kernels of all instruction sets, for this state and for all states, and the
-// scalar reference. A colour channel depends on bytes s, d (source and destination) and on alphas. Where it depends
-// on both colours and one alpha, all 2^24 are tried; on both colours and both alphas, all 2^16 colours at 16 x 16
-// pairs of alphas; on two bytes or fewer, all of them. Alpha sees all 2^16 pairs; Shift7 copies it. The slow ones see
-// a part: of the pairs with an alpha every 16th and those at kEdges; of the colours every 97th batch of 256 pixels (the
-// reference) or 13th (the fallback without vectors), and at kEdges every 5th.
+// Every blend state against its formula: on all instruction sets, as compiled for any state and for the special
+// programs, and the scalar reference. A colour channel depends on bytes s, d (source and destination) and on alphas.
+// Where it depends on both colours and one alpha, all 2^24 are tried; on both colours and both alphas, all 2^16 colours
+// at 16 x 16 pairs of alphas; on two bytes or fewer, all of them. Alpha sees all 2^16 pairs; Shift7 copies it. The slow
+// ones see a part: of the pairs with an alpha every 16th and those at kEdges; of the colours every 97th batch of 256
+// pixels (the reference) or 13th (the fallback without vectors), and at kEdges every 5th.
 #include <array>
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "raster/blend_blocks.h"
+#include "raster/fill_state.h"
 #include "tests/raster/blend_bench.h"
 #include "tests/raster/blend_formula.h"
 #include "tests/raster/simd_kernels.h"
+#include "tests/raster/special_parts.h"
 
 namespace {
 
@@ -212,5 +213,16 @@ TEST_CASE("Shift7: below half, alpha turns the blend off", "[raster][exhaustive]
         blend.shift7.c        = c;
         blend.shift7.constant = 77;
         CHECK(Sweep(blend).everything() > 0);
+    }
+}
+
+TEST_CASE("blends of the special programs are among those swept", "[raster]") {
+    for (const FillProgram& program : special_parts::kPrograms) {
+        REQUIRE(program.blend == BlendRule::Nearest255);
+        CAPTURE(blend_formula::name_of(program.source), blend_formula::name_of(program.dest));
+        const Blend blend{.source     = program.source,
+                          .dest       = program.dest,
+                          .write_mask = program.writes == Writes::Alpha ? 0xff000000u : 0xffffffffu};
+        CHECK(BlendBench(blend).special_kernels() == pipeline::simd_targets().size());
     }
 }

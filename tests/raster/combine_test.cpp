@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Texture stages, specular and fog against their rules in exact integers: every pair of bytes for operations on two,
-// every triple for those on three. Kernels of all instruction sets, and on every 61st batch the scalar reference.
+// every triple for those on three. On all instruction sets, as compiled for any state, and on every 61st batch the
+// scalar reference. The special programs' colours, compiled for themselves, against both.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -10,10 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "raster/combine_blocks.h"
+#include "raster/fill_plan.h"
 #include "raster/reference_color.h"
 #include "tests/raster/exact.h"
+#include "tests/raster/fill_steps.h"
 #include "tests/raster/simd_kernels.h"
+#include "tests/raster/special_parts.h"
+#include "tests/raster/special_state.h"
+#include "tests/support/random.h"
 
 namespace {
 
@@ -21,6 +26,7 @@ using namespace raster;
 using exact::floor_quotient;
 using exact::nearest_255th;
 using exact::Pixel;
+using fill_steps::Colors;
 using simd_kernels::kLanes;
 using Source = CombineArg::Source;
 
@@ -92,18 +98,30 @@ std::vector<CombineOp> ops_of(CombineRule rule) {
     return all;
 }
 
-// A batch in which texel and colour of the lanes are all values of a byte, in each channel in its own order.
+std::string hex(std::uint32_t argb) {
+    std::array<char, 12> text{};
+    std::snprintf(text.data(), text.size(), "%08x", argb);
+    return text.data();
+}
+
+// 256 pixels whose texel 0 has all values of a byte, in each channel in its own order.
 class Bench {
   public:
     Bench() {
-        batch->count = kBatchBlocks;
         for (int i = 0; i < kLanes; ++i) {
             Pixel p;
             for (int channel = 0; channel < 4; ++channel) p.c[channel] = exact::shuffled(channel, i);
-            batch->texel[0].lanes[i] = p.argb();
+            inputs->texels[0][i] = p.argb();
         }
     }
-    static void fill(BlockRows<std::uint32_t>& rows, const Pixel& p) { std::fill_n(rows.lanes, kLanes, p.argb()); }
+
+    // A state whose stage 0, if there is one, may read a texture.
+    static FillState state() {
+        static constexpr std::uint32_t kTexels[1]{};  // never read: the texels are those of `inputs`
+        FillState state;
+        state.samplers[0].levels = {{kTexels, 1, 1, 1}};
+        return state;
+    }
 
     // want(channel, x): of the value x of that channel.
     template <class Want>
@@ -112,72 +130,62 @@ class Bench {
         for (int channel = 0; channel < 4; ++channel)
             for (int x = 0; x < 256; ++x) rows[channel][x] = want(channel, x);
         for (int i = 0; i < kLanes; ++i) {
-            const Pixel x = Pixel::of(batch->texel[0].lanes[i]);
-            wanted_[i]    = Pixel{{rows[0][x.c[0]], rows[1][x.c[1]], rows[2][x.c[2]], rows[3][x.c[3]]}}.argb();
+            const Pixel x = Pixel::of(inputs->texels[0][i]);
+            wanted[i]     = Pixel{{rows[0][x.c[0]], rows[1][x.c[1]], rows[2][x.c[2]], rows[3][x.c[3]]}}.argb();
         }
     }
 
-    // run(kernels) leaves in batch->color what is wanted; state says so to the reference.
-    template <class Run>
-    void check(const FillState& state, Run&& run) {
-        for (const auto& [name, kernels, fallback] : targets_) {
-            std::copy_n(batch->texel[0].lanes, kLanes, batch->color.lanes);
-            run(kernels);
-            if (!std::equal(wanted_.begin(), wanted_.end(), batch->color.lanes))
-                for (int i = 0; i < kLanes; ++i) check_lane(name, state, i, batch->color.lanes[i]);
+    // Is the state's colour what is wanted?
+    void check(const FillState& state) {
+        const FillPlan plan = plan_fill(state, true, {}, 24, true);
+        for (const auto& [name, make_colors, fallback] : targets_) {
+            make_colors(plan, *inputs, *colors_);
+            if (*colors_ == wanted) continue;
+            for (int i = 0; i < kLanes; ++i) check_lane(name, state, i, (*colors_)[i]);
         }
         if (batches_++ % 61 == 0)
-            for (int i = 0; i < kLanes; ++i) {
-                const bool staged = state.stage_count > 0;  // else its colour is what the kernels start from
+            for (int i = 0; i < kLanes; ++i)
                 check_lane("reference", state, i,
-                           reference::combined_color(
-                               state, {.diffuse  = staged ? batch->diffuse.lanes[i] : batch->texel[0].lanes[i],
-                                       .specular = batch->specular.lanes[i],
-                                       .texels   = {batch->texel[0].lanes[i]}}));
-            }
+                           reference::combined_color(state, {.diffuse  = inputs->diffuse[i],
+                                                             .specular = inputs->specular[i],
+                                                             .texels   = {inputs->texels[0][i]}}));
     }
 
     std::size_t batches() const { return batches_; }
-    std::uint32_t* wanted() { return wanted_.data(); }
 
-    std::unique_ptr<FragmentBatch> batch = std::make_unique<FragmentBatch>();
+    std::unique_ptr<fill_steps::ColorInputs> inputs = std::make_unique<fill_steps::ColorInputs>();
+    Colors wanted{};
 
   private:
-    void check_lane(const std::string& name, const FillState& state, int i, std::uint32_t got) {
-        if (got == wanted_[i]) return;
-        const auto hex = [](std::uint32_t argb) {
-            std::array<char, 12> text{};
-            std::snprintf(text.data(), text.size(), "%08x", argb);
-            return std::string(text.data());
-        };
+    void check_lane(const std::string& name, const FillState& state, int i, std::uint32_t got) const {
+        if (got == wanted[i]) return;
         FAIL(name << ": colour op " << static_cast<int>(state.stages[0].color.op) << ", alpha op "
                   << static_cast<int>(state.stages[0].alpha.op) << ", rule " << static_cast<int>(state.combine_rule)
                   << ", fog rule " << static_cast<int>(state.fog_rule) << ", fog colour " << hex(state.fog_color)
-                  << ": texel or colour " << hex(batch->texel[0].lanes[i]) << " diffuse "
-                  << hex(batch->diffuse.lanes[i]) << " constant " << hex(state.constant) << " specular "
-                  << hex(batch->specular.lanes[i]) << ": got " << hex(got) << " want " << hex(wanted_[i]));
+                  << ": texel " << hex(inputs->texels[0][i]) << " diffuse " << hex(inputs->diffuse[i]) << " constant "
+                  << hex(state.constant) << " specular " << hex(inputs->specular[i]) << ": got " << hex(got) << " want "
+                  << hex(wanted[i]));
     }
 
-    std::vector<simd_kernels::Named<CombineKernels>> targets_ = simd_kernels::on_every_target(combine_kernels);
-    std::array<std::uint32_t, kLanes> wanted_{};
-    std::size_t batches_ = 0;
+    std::vector<simd_kernels::Named<fill_steps::MakeColors>> targets_ =
+        simd_kernels::on_every_target([] { return fill_steps::make_colors_step({}, fill_steps::Kind::General); });
+    std::unique_ptr<Colors> colors_ = std::make_unique<Colors>();
+    std::size_t batches_            = 0;
 };
 
 // All texels a with these b and c.
 void check_stage(Bench& bench, CombineRule rule, CombineOp color, CombineOp alpha, const Pixel& b, const Pixel& c) {
-    FillState state;
+    FillState state    = Bench::state();
     state.stage_count  = 1;
     state.stages[0]    = {{color, kTexel, kDiffuse, kConstant}, {alpha, kTexel, kDiffuse, kConstant}};
     state.combine_rule = rule;
     state.constant     = c.argb();
-    Bench::fill(bench.batch->diffuse, b);
+    bench.inputs->diffuse.fill(b.argb());
     const Products products = products_of(rule);
     bench.want_channels([&](int channel, int a) {
         return combined(channel == 3 ? alpha : color, products, a, b.c[channel], c.c[channel]);
     });
-    bench.check(state, [&](const CombineKernels& kernels) {
-        kernels.stage(state.stages[0], rule, 0, state.constant, *bench.batch);
-    });
+    bench.check(state);
 }
 
 void check_operations(CombineRule rule) {
@@ -217,17 +225,15 @@ TEST_CASE("alpha has its own operation in a stage", "[raster]") {
 
 TEST_CASE("complement and alpha replicate change what an operation reads", "[raster]") {
     Bench bench;
-    bench.fill(bench.batch->diffuse, {{40, 30, 20, 10}});
-    bench.fill(bench.batch->specular, {{4, 3, 2, 1}});
+    bench.inputs->diffuse.fill(Pixel{{40, 30, 20, 10}}.argb());
+    bench.inputs->specular.fill(Pixel{{4, 3, 2, 1}}.argb());
     const auto read = [&](CombineArg arg, auto want) {
-        FillState state;
+        FillState state   = Bench::state();
         state.stage_count = 1;
         state.constant    = 0xa0b0c0d0;
         state.stages[0]   = {{CombineOp::Select, arg, arg, arg}, {CombineOp::Select, arg, arg, arg}};
-        for (int i = 0; i < kLanes; ++i) bench.wanted()[i] = want(Pixel::of(bench.batch->texel[0].lanes[i])).argb();
-        bench.check(state, [&](const CombineKernels& kernels) {
-            kernels.stage(state.stages[0], CombineRule::Nearest255, 0, state.constant, *bench.batch);
-        });
+        for (int i = 0; i < kLanes; ++i) bench.wanted[i] = want(Pixel::of(bench.inputs->texels[0][i])).argb();
+        bench.check(state);
     };
     const auto not_of = [](int x) { return 255 - x; };
     read({Source::Texel, true, false}, [&](const Pixel& t) {
@@ -246,14 +252,15 @@ TEST_CASE("complement and alpha replicate change what an operation reads", "[ras
 
 TEST_CASE("specular is added to every byte and leaves alpha alone", "[raster][exhaustive]") {
     Bench bench;
+    bench.inputs->diffuse = bench.inputs->texels[0];  // the colour without a stage
     FillState state;
     state.add_specular = true;
     for (int x = 0; x < 256; ++x) {
         const Pixel specular{{x, 255 - x, (x + 128) & 255, x}};
-        Bench::fill(bench.batch->specular, specular);
+        bench.inputs->specular.fill(specular.argb());
         bench.want_channels(
             [&](int channel, int color) { return channel == 3 ? color : std::min(255, color + specular.c[channel]); });
-        bench.check(state, [&](const CombineKernels& kernels) { kernels.add_specular(*bench.batch); });
+        bench.check(state);
     }
 }
 
@@ -272,20 +279,61 @@ TEST_CASE("fog is exact for every factor, colour and fog colour and leaves alpha
               return floor_quotient(expanded * c + (256 - expanded) * k, 256);
           }}}};
     Bench bench;
+    bench.inputs->diffuse = bench.inputs->texels[0];
     FillState state;
     state.fog = true;
     for (const auto& [rule, mix] : kRules)
         for (const int f : simd_kernels::swept_bytes()) {
-            Bench::fill(bench.batch->specular, {{1, 2, 3, f}});
+            bench.inputs->specular.fill(Pixel{{1, 2, 3, f}}.argb());
             for (int k = 0; k < 256; k += 3 * simd_kernels::kStride) {  // three fog colours in the three channels
                 const Pixel fog{{k, (k + 1) & 255, (k + 2) & 255, 99}};
                 state.fog_rule  = rule;
                 state.fog_color = fog.argb();
                 bench.want_channels(
                     [&, m = mix](int channel, int c) { return channel == 3 ? c : m(f, c, fog.c[channel]); });
-                bench.check(state, [&](const CombineKernels& kernels) {
-                    kernels.fog(state.fog_rule, state.fog_color, *bench.batch);
-                });
+                bench.check(state);
             }
         }
+}
+
+TEST_CASE("special programs make the colours of the reference", "[raster][exhaustive]") {
+    test_support::Random random(12);
+    auto inputs = std::make_unique<fill_steps::ColorInputs>();
+    auto colors = std::make_unique<Colors>();
+    for (const FillProgram& program : special_parts::kPrograms) {
+        special_state::SpecialState special(program, random.bits());
+        const FillPlan plan = special.plan(true);
+        const auto kernels  = simd_kernels::of_every_kind(
+            [&](fill_steps::Kind kind) { return fill_steps::make_colors_step(plan.program, kind); });
+        REQUIRE(kernels.size() == 2 * pipeline::simd_targets().size());
+        for (const int x : simd_kernels::swept_bytes()) {
+            // All pairs of bytes of texel 0 with diffuse and with texel 1, beside any fog.
+            Colors want;
+            for (int i = 0; i < kLanes; ++i) {
+                Pixel t0, t1, d;
+                for (int channel = 0; channel < 4; ++channel) {
+                    t0.c[channel] = exact::shuffled(channel, i);
+                    t1.c[channel] = exact::shuffled(channel, i ^ x);
+                    d.c[channel]  = exact::shuffled((channel + 1) & 3, i + x);
+                }
+                inputs->texels[0][i] = program.textures[0].has_texels ? t0.argb() : 0xffffffff;
+                inputs->texels[1][i] = t1.argb();
+                inputs->diffuse[i]   = d.argb();
+                inputs->specular[i]  = random.bits();
+                want[i] =
+                    reference::combined_color(special.state, {.diffuse  = inputs->diffuse[i],
+                                                              .specular = inputs->specular[i],
+                                                              .texels = {inputs->texels[0][i], inputs->texels[1][i]}});
+            }
+            for (const auto& [name, make_colors, fallback] : kernels) {
+                make_colors(plan, *inputs, *colors);
+                if (*colors == want) continue;
+                for (int i = 0; i < kLanes; ++i) {
+                    CAPTURE(name, i, hex(inputs->texels[0][i]), hex(inputs->texels[1][i]), hex(inputs->diffuse[i]),
+                            hex(inputs->specular[i]));
+                    REQUIRE(hex((*colors)[i]) == hex(want[i]));
+                }
+            }
+        }
+    }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texture filters and mips against exact sums: kernels of all instruction sets, the paths for rectangles among them,
-// and the scalar reference on a part.
+// Texture filters and mips against exact sums: on all instruction sets, as compiled for any sampler and for the special
+// programs', for triangles and for rectangles, and the scalar reference on a part.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -8,17 +8,18 @@
 #include <set>
 #include <vector>
 
-#include "raster/sample_blocks.h"
+#include "raster/sampling_rules.h"
 #include "tests/raster/exact.h"
 #include "tests/raster/filter_formula.h"
 #include "tests/raster/sample_bench.h"
+#include "tests/raster/special_parts.h"
 #include "tests/support/random.h"
 
 namespace {
 
 using namespace raster;
 using exact::Pixel;
-using sample_bench::Kernels;
+using fill_steps::kBlocks;
 using sample_bench::SampleBench;
 using simd_kernels::is_edge;
 using simd_kernels::kLanes;
@@ -29,8 +30,9 @@ constexpr std::array kRules{FilterRule::Single8, FilterRule::Single4, FilterRule
 // Two rows of texels in which every choice of four values out of six is somewhere a square, in one of the channels.
 class SquareTexture {
   public:
-    static constexpr int kSquares = 324;  // 6^4 in four channels
-    static constexpr int kBlocks = (kSquares + kBlockWidth - 1) / kBlockWidth, kWidth = (kBlocks + 1) * kBlockWidth;
+    static constexpr int kSquares      = 324;  // 6^4 in four channels
+    static constexpr int kSquareBlocks = (kSquares + kBlockWidth - 1) / kBlockWidth,
+                         kWidth        = (kSquareBlocks + 1) * kBlockWidth;
 
     SquareTexture() {
         // Each pair of columns comes once: the De Bruijn sequence of the words 0, 01, 02, .., 1, 12, ..
@@ -76,7 +78,7 @@ class SquareTexture {
 void sweep_weights(FilterRule rule) {
     const SquareTexture texture;
     REQUIRE(texture.count_squares() == 6 * 6 * 6 * 6);
-    SampleBench bench(texture.sampler(rule), Kernels::AndRectangles);
+    SampleBench bench(texture.sampler(rule));
     test_support::Random random(3);
     filter_formula::with_filter(rule, [&](auto filter) {
         constexpr int kUnit = decltype(filter)::kUnit;
@@ -86,7 +88,7 @@ void sweep_weights(FilterRule rule) {
                 const int fu = fu_cut + random.from(0, kUnit - 1), fv = fv_cut + random.from(0, kUnit - 1);
                 const bool slow = (fv_cut / kUnit * 7 + fu_cut / kUnit) % 101 == 0 || (is_edge(fu) && is_edge(fv));
                 for (int first = 0; first < SquareTexture::kSquares; first += kLanes) {
-                    const int blocks = std::min(kBatchBlocks, SquareTexture::kBlocks - first / kBlockWidth);
+                    const int blocks = std::min(kBlocks, SquareTexture::kSquareBlocks - first / kBlockWidth);
                     for (int i = 0; i < blocks * kBlockWidth; ++i) {
                         const auto& [top, bottom] = texture.rows;
                         const int k               = first + i;
@@ -94,11 +96,13 @@ void sweep_weights(FilterRule rule) {
                         for (int c = 0; c < 4; ++c)
                             want.c[c] =
                                 filter.weigh(top[k].c[c], top[k + 1].c[c], bottom[k].c[c], bottom[k + 1].c[c], fu, fv);
-                        bench.points().u.lanes[i] = 256 * k + 128 + fu;
-                        bench.points().v.lanes[i] = 128 + fv;
-                        bench.want()[i]           = want.argb();
+                        bench.want()[i] = want.argb();
                     }
-                    bench.run(blocks, slow);
+                    for (int block = 0; block < blocks; ++block) {
+                        const int u = 256 * (first + block * kBlockWidth) + 128 + fu;
+                        bench.set_row(block, 256 * u + random.from(0, 255), 65536, 128 + fv);
+                    }
+                    bench.run_rows(blocks, slow);
                 }
             }
     });
@@ -132,24 +136,22 @@ TEST_CASE("rectangles read texels at any step, border and address", "[raster]") 
                                       .rule      = rule,
                                       .address_u = address,
                                       .address_v = address};
-                SampleBench bench(sampler, Kernels::AndRectangles);
+                SampleBench bench(sampler);
                 // 1/64 of 1/256 texel to the pixel: 16384 is one texel.
                 for (const int step :
                      {0,     1,     64,    1000,  4096,  5461,  8192,    10000, 12288, 16320,  16384, 16385,
                       16448, 20000, 32704, 32768, 32832, 65536, 1 << 20, -64,   -8192, -16384, -32768})
                     for (int round = 0; round < 6; ++round) {
-                        for (int block = 0; block < kBatchBlocks; ++block) {
+                        for (int block = 0; block < kBlocks; ++block) {
                             const int grid = random.one_of({1, 64, 128, 256});  // of quarters, halves and wholes
                             const int from = grid * random.from(-600 / grid, 256 * kWidth / grid);
                             const int v    = grid * random.from(-600 / grid, 256 * (kHeight + 2) / grid);
-                            for (int lane = 0; lane < kBlockWidth; ++lane) {
-                                const int u                   = from + exact::floor_quotient(step * lane, 64);
-                                bench.points().u[block][lane] = u;
-                                bench.points().v[block][lane] = v;
-                                bench.want()[block * kBlockWidth + lane] = filter_formula::sampled(sampler, u, v);
-                            }
+                            bench.set_row(block, 256 * from, 4 * step, v);
+                            for (int lane = 0; lane < kBlockWidth; ++lane)
+                                bench.want()[block * kBlockWidth + lane] =
+                                    filter_formula::sampled(sampler, from + exact::floor_quotient(step * lane, 64), v);
                         }
-                        bench.run(kBatchBlocks, true);
+                        bench.run_rows(kBlocks, true);
                     }
                 batches += bench.batches();
             }
@@ -162,9 +164,8 @@ TEST_CASE("two mip levels are mixed exactly: every pair of bytes at every fracti
     SampleBench bench({.levels = {{&near, 1, 1, 1}, {&far, 1, 1, 1}},
                        .linear = GENERATE(false, true),
                        .rule   = rule,
-                       .mip    = MipFilter::Linear},
-                      Kernels::Any);
-    for (int lane = 0; lane < kLanes; ++lane) bench.points().lod.lanes[lane] = lane;
+                       .mip    = MipFilter::Linear});
+    for (int lane = 0; lane < kLanes; ++lane) bench.points().lod[lane] = lane;
     int counter = 0;
     for (const int a : simd_kernels::swept_bytes())
         for (int b = 0; b < 256; b += 4 * simd_kernels::kStride) {  // four values in the four channels
@@ -176,7 +177,7 @@ TEST_CASE("two mip levels are mixed exactly: every pair of bytes at every fracti
                 for (int c = 0; c < 4; ++c) want.c[c] = filter_formula::mixed_levels(rule, first.c[c], second.c[c], f);
                 bench.want()[f] = want.argb();
             }
-            bench.run(kBatchBlocks, ++counter % 29 == 0 || is_edge(a));
+            bench.run_points(kBlocks, ++counter % 29 == 0 || is_edge(a));
         }
     CHECK(bench.batches() > 0);
 }
@@ -187,23 +188,25 @@ TEST_CASE("a level of detail chooses its levels, up to the last", "[raster][exha
     // Levels of 8 to 1 texels, of one colour each.
     static constexpr std::array<std::uint32_t, 4> kColors{0x00ff1080, 0xff007f11, 0x1280fe00, 0xfe01ff77};
     std::array<std::array<std::uint32_t, 64>, 4> texels{};
-    Sampler sampler{.linear = GENERATE(false, true), .rule = rule, .mip = mip};
+    const Address address = GENERATE(Address::Wrap, Address::Clamp);
+    Sampler sampler{
+        .linear = GENERATE(false, true), .rule = rule, .mip = mip, .address_u = address, .address_v = address};
     for (int i = 0; i < 4; ++i) {
         texels[i].fill(kColors[i]);
         sampler.levels.push_back({texels[i].data(), 8 >> i, 8 >> i, 8 >> i});
     }
-    SampleBench bench(sampler, Kernels::Any);
+    SampleBench bench(sampler);
     test_support::Random random(9);
     for (int first = 0; first <= 768; first += 64)
         for (const bool ordered : {true, false}) {
             for (int lane = 0; lane < kLanes; ++lane) {
-                const int lod                  = std::min(768, ordered ? first + lane : random.from(0, 768));
-                bench.points().u.lanes[lane]   = random.from(-5000, 5000);
-                bench.points().v.lanes[lane]   = random.from(-5000, 5000);
-                bench.points().lod.lanes[lane] = lod;
-                const int near                 = mip == MipFilter::None    ? 0
-                                                 : mip == MipFilter::Point ? exact::floor_quotient(lod + 128, 256)
-                                                                           : exact::floor_quotient(lod, 256);
+                const int lod            = std::min(768, ordered ? first + lane : random.from(0, 768));
+                bench.points().u[lane]   = random.from(-5000, 5000);
+                bench.points().v[lane]   = random.from(-5000, 5000);
+                bench.points().lod[lane] = lod;
+                const int near           = mip == MipFilter::None    ? 0
+                                           : mip == MipFilter::Point ? exact::floor_quotient(lod + 128, 256)
+                                                                     : exact::floor_quotient(lod, 256);
                 const Pixel a = Pixel::of(kColors[near]), b = Pixel::of(kColors[std::min(near + 1, 3)]);
                 Pixel want = a;
                 if (mip == MipFilter::Linear)
@@ -211,6 +214,22 @@ TEST_CASE("a level of detail chooses its levels, up to the last", "[raster][exha
                         want.c[c] = filter_formula::mixed_levels(rule, a.c[c], b.c[c], lod - 256 * near);
                 bench.want()[lane] = want.argb();
             }
-            bench.run(kBatchBlocks, true);
+            bench.run_points(kBlocks, true);
+        }
+}
+
+TEST_CASE("samplers of the special programs are among those read", "[raster]") {
+    const std::uint32_t texel = 0;
+    for (const FillProgram& program : special_parts::kPrograms)
+        for (const TextureProgram& texture : program.textures) {
+            if (!texture.has_texels) continue;
+            const TextureLevel level{&texel, 1, 1, 1};
+            CHECK(SampleBench({.levels    = {level, level},
+                               .linear    = texture.linear,
+                               .rule      = texture.rule,
+                               .mip       = texture.mip,
+                               .address_u = texture.address_u,
+                               .address_v = texture.address_v})
+                      .has_special_kernels());
         }
 }

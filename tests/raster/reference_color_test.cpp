@@ -146,7 +146,7 @@ TEST_CASE("A masked or missing colour target leaves depth and its counts as they
     pass.depth      = &depth;
     pass.depth_bits = 16;
     pass.scissor    = depth.bounds();
-    pass.draws      = {{state, {}, {rectangle(0, 0, 8, 8, kWhite, 1.0f)}}};
+    pass.draws      = {{.state = state, .rectangles = {rectangle(0, 0, 8, 8, kWhite, 1.0f)}}};
     CHECK(reference_fill_pass(pass) == FillCounts{64, 64, 64, 64, 0});
     CHECK(depth.row(7)[7] == 0xffff);
     CHECK(color.row(7)[7] == 0);

@@ -70,6 +70,15 @@ inline raster::Triangle triangle(std::array<std::array<float, 2>, 3> corners, st
             vertex(corners[2][0], corners[2][1], color)};
 }
 
+// With vertices of their own.
+inline void add_triangles(raster::Draw& draw, const std::vector<raster::Triangle>& triangles) {
+    for (const raster::Triangle& each : triangles) {
+        const auto first = static_cast<std::uint32_t>(draw.vertices.size());
+        draw.vertices.insert(draw.vertices.end(), each.begin(), each.end());
+        draw.triangles.push_back({first, first + 1, first + 2});
+    }
+}
+
 inline raster::Rectangle rectangle(float x0, float y0, float x1, float y1, std::uint32_t color = kWhite,
                                    float z = 0.0f) {
     raster::Rectangle r;
@@ -95,7 +104,9 @@ struct Canvas {
         pass.format     = format;
         pass.grid       = grid;
         pass.scissor    = color.bounds();
-        pass.draws      = {raster::Draw{state, triangles, rectangles}};
+        raster::Draw draw{.state = state, .rectangles = rectangles};
+        add_triangles(draw, triangles);
+        pass.draws = {draw};
         return raster::reference_fill_pass(pass);
     }
     raster::FillCounts draw(const raster::FillState& state, const raster::Rectangle& rectangle, int depth_bits = 24) {

@@ -150,8 +150,8 @@ TEST_CASE("Nothing is drawn outside the scissor", "[reference]") {
     Image color(40, 20);
     const Rect scissor{5, 3, 23, 11};
     Draw draw;
-    draw.triangles  = {triangle({{{-16384.0f, -16384.0f}, {16384.0f, -16384.0f}, {-16384.0f, 16384.0f}}}),
-                       triangle({{{16384.0f, -16384.0f}, {16384.0f, 16384.0f}, {-16384.0f, 16384.0f}}})};
+    add_triangles(draw, {triangle({{{-16384.0f, -16384.0f}, {16384.0f, -16384.0f}, {-16384.0f, 16384.0f}}}),
+                         triangle({{{16384.0f, -16384.0f}, {16384.0f, 16384.0f}, {-16384.0f, 16384.0f}}})});
     const auto once = static_cast<std::uint64_t>((scissor.x1 - scissor.x0) * (scissor.y1 - scissor.y0));
     PassFill pass;
     pass.color   = &color;
@@ -374,8 +374,8 @@ TEST_CASE("Triangles are drawn before rectangles, and draws in their order", "[r
     Image color(4, 4);
     Draw first, second;
     first.rectangles = {rectangle(0, 0, 4, 4, 0x11111111), rectangle(0, 0, 1, 4, 0x22222222)};
-    first.triangles  = {triangle({{{-9, -9}, {99, -9}, {-9, 99}}}, 0x33333333)};
-    second.triangles = {triangle({{{0, 0}, {8, 0}, {0, 2}}}, 0x44444444)};
+    add_triangles(first, {triangle({{{-9, -9}, {99, -9}, {-9, 99}}}, 0x33333333)});
+    add_triangles(second, {triangle({{{0, 0}, {8, 0}, {0, 2}}}, 0x44444444)});
     PassFill pass;
     pass.color              = &color;
     pass.scissor            = color.bounds();

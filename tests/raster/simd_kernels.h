@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A kernel's copies for all instruction sets that this machine has, to be run in turn on what was made once, and how
+// A step's copies for all instruction sets that this machine has, to be run in turn on what was made once, and how
 // much a test over all values of a byte takes of them.
 #pragma once
 
@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "pipeline/execute/execute.h"
-#include "raster/fragment_batch.h"
+#include "tests/raster/fill_steps.h"
 #include "tests/support/simd_targets.h"
 
 namespace simd_kernels {
 
-inline constexpr int kLanes = raster::kBatchBlocks * raster::kBlockWidth;
-static_assert(kLanes == 256, "a batch holds all values of a byte");
+using fill_steps::kLanes;
 
 template <class Kernel>
 struct Named {
@@ -34,6 +33,15 @@ auto on_every_target(Get get) {
         pipeline::force_simd_target(target);
         kernels.push_back({target, get(), target == "SCALAR" && pipeline::simd_targets().size() > 1});
     }
+    return kernels;
+}
+
+// get(kind) for each instruction set: the step for any state, and the one for this very state if there is one.
+template <class Get>
+auto of_every_kind(Get get) {
+    auto kernels = on_every_target([&] { return get(fill_steps::Kind::General); });
+    for (auto& [name, kernel, is_fallback] : on_every_target([&] { return get(fill_steps::Kind::Special); }))
+        if (kernel) kernels.push_back({name + " special", kernel, is_fallback});
     return kernels;
 }
 

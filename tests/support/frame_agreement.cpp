@@ -55,6 +55,10 @@ void check_kernels(const Frame& frame, const Drawn& want, std::uint32_t seed, st
             const std::string different = difference(draw(frame, options), want);
             INFO(options.threads << " threads, tiles in order " << options.tile_order_seed);
             if (!different.empty()) FAIL(different);
+            // Without an observer passes are drawn in groups.
+            const Execution grouped = execute(frame, options);
+            if (!(grouped.counts == want.execution.counts)) FAIL("counts differ in groups of passes");
+            if (!(grouped.output == want.execution.output)) FAIL("the output differs in groups of passes");
         }
     });
 }

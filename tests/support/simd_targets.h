@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Runs a test body once on every instruction set that this machine has.
+// Runs a test body once on every instruction set that this machine has; it may take the name.
 #pragma once
 
 #include <catch2/catch.hpp>
 #include <string>
+#include <type_traits>
 
 #include "pipeline/execute/execute.h"
 
@@ -19,7 +20,10 @@ void for_each_simd_target(Body&& body) {
     for (const std::string& target : pipeline::simd_targets()) {
         INFO("instruction set " << target);
         pipeline::force_simd_target(target);
-        body();
+        if constexpr (std::is_invocable_v<Body, const std::string&>)
+            body(target);
+        else
+            body();
     }
 }
 

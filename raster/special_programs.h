@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// The programs that have a kernel of their own: those of the built-in scenes, and plain fills. To add one, write it
+// here; `nimbus7 render SCENE --stats` shows which passes have none.
+#pragma once
+
+#include <array>
+
+#include "raster/fill_program.h"
+
+namespace raster {
+namespace special {
+
+using Source = CombineArg::Source;
+inline constexpr CombineArg kDiffuse{Source::Diffuse}, kCurrent{Source::Current}, kTexel{Source::Texel},
+    kConstant{Source::Constant};
+inline constexpr BlendFactor kSourceColor{BlendFactor::Operand::Source},
+    kSourceAlpha{BlendFactor::Operand::Source, true}, kInvSourceAlpha{BlendFactor::Operand::Source, true, true};
+
+constexpr Combine select(CombineArg a) {
+    return {CombineOp::Select, a, a, {}};
+}
+constexpr Combine modulate(CombineArg a, CombineArg b) {
+    return {CombineOp::Modulate, a, b, {}};
+}
+
+// What is written, opaque until a blend is added: a colour that is constant over a rectangle or varies over a triangle.
+constexpr FillProgram vertex_color() {
+    return {.makes_color = true, .reads_diffuse = true, .writes = Writes::All};
+}
+// The last texture of the stages, as it is or with an alpha of its own.
+constexpr FillProgram stages(CombineStage first) {
+    FillProgram program{.makes_color = true, .stage_count = 1, .writes = Writes::All};
+    program.stages[0] = first;
+    return program;
+}
+constexpr FillProgram stages(CombineStage first, CombineStage second) {
+    FillProgram program = stages(first);
+    program.stage_count = 2;
+    program.stages[1]   = second;
+    return program;
+}
+
+// Each of these takes a program one step further.
+constexpr FillProgram lit(FillProgram program) {
+    program.reads_diffuse = true;
+    return program;
+}
+constexpr FillProgram fogged(FillProgram program) {
+    program.fog = program.reads_specular = program.reads_fog_only = true;
+    return program;
+}
+constexpr FillProgram depth(FillProgram program, Compare func, bool write) {
+    program.depth_bits  = 24;
+    program.depth_func  = func;
+    program.depth_write = write;
+    return program;
+}
+constexpr FillProgram blended(FillProgram program, BlendFactor source, BlendFactor dest) {
+    program.source = source;
+    program.dest   = dest;
+    return program;
+}
+constexpr FillProgram over(FillProgram program) {
+    return blended(program, kSourceAlpha, kInvSourceAlpha);
+}
+constexpr FillProgram alpha_only(FillProgram program) {
+    program.writes = Writes::Alpha;
+    return program;
+}
+constexpr FillProgram texture(FillProgram program, int stage, TextureProgram how) {
+    program.textures[stage] = how;
+    return program;
+}
+
+inline constexpr TextureProgram kWhite{.is_read = true};
+inline constexpr TextureProgram kPoint{
+    .is_read = true, .has_texels = true, .address_u = Address::Clamp, .address_v = Address::Clamp};
+inline constexpr TextureProgram kLinear{
+    .is_read = true, .has_texels = true, .linear = true, .address_u = Address::Clamp, .address_v = Address::Clamp};
+constexpr TextureProgram mipped(Address address) {
+    return {.is_read    = true,
+            .has_texels = true,
+            .linear     = true,
+            .has_mips   = true,
+            .mip        = MipFilter::Linear,
+            .address_u  = address,
+            .address_v  = address};
+}
+inline constexpr TextureProgram kRepeated = mipped(Address::Wrap), kOnce = mipped(Address::Clamp);
+
+inline constexpr CombineStage kTexelAsItIs{select(kTexel), select(kTexel)};
+inline constexpr CombineStage kLitTexel{modulate(kTexel, kDiffuse), select(kConstant)};
+inline constexpr CombineStage kDetail{{CombineOp::Modulate2X, kTexel, kCurrent, {}}, select(kCurrent)};
+inline constexpr CombineStage kSplat{modulate(kTexel, kDiffuse), {CombineOp::Modulate4X, kTexel, kDiffuse, {}}};
+inline constexpr CombineStage kErosion{select(kCurrent), {CombineOp::AddSigned2X, kTexel, kCurrent, {}}};
+
+inline constexpr FillProgram kLandscape = depth(fogged(lit(stages(kLitTexel))), Compare::LessEqual, true);
+inline constexpr FillProgram kDetailed  = depth(fogged(lit(stages(kLitTexel, kDetail))), Compare::LessEqual, true);
+inline constexpr FillProgram kSplatted  = over(depth(fogged(lit(stages(kSplat))), Compare::LessEqual, false));
+
+}  // namespace special
+
+inline constexpr std::array kTrianglePrograms{
+    // Landscape: a texture, a second one, a third laid over; without a texture; the sky.
+    special::texture(special::kLandscape, 0, special::kRepeated),
+    special::texture(special::texture(special::kDetailed, 0, special::kRepeated), 1, special::kRepeated),
+    special::texture(special::kSplatted, 0, special::kRepeated),
+    special::texture(special::kLandscape, 0, special::kWhite),
+    special::depth(special::vertex_color(), Compare::LessEqual, false),
+    special::depth(special::vertex_color(), Compare::LessEqual, true),
+    // Mega-particles and their skirt.
+    special::depth(special::fogged(special::vertex_color()), Compare::LessEqual, true),
+    special::depth(special::fogged(special::vertex_color()), Compare::LessEqual, false),
+    // Fractal boxes: eroding, multiplying.
+    special::over(special::texture(
+        special::texture(special::stages(special::kTexelAsItIs, special::kErosion), 0, special::kPoint), 1,
+        special::kOnce)),
+    special::alpha_only(special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kOnce),
+                                         kZero, special::kSourceColor)),
+};
+
+inline constexpr std::array kRectanglePrograms{
+    // Blits: filtered, copied, blended.
+    special::texture(special::stages(special::kTexelAsItIs), 0, special::kLinear),
+    special::texture(special::stages(special::kTexelAsItIs), 0, special::kPoint),
+    special::texture(special::stages({special::select(special::kTexel), special::select(special::kConstant)}), 0,
+                     special::kPoint),
+    special::over(special::texture(
+        special::stages({special::select(special::kTexel), special::modulate(special::kTexel, special::kConstant)}), 0,
+        special::kPoint)),
+    special::over(special::texture(special::stages(special::kTexelAsItIs), 0, special::kPoint)),
+    // Plain colours.
+    special::vertex_color(),
+    special::depth(special::vertex_color(), Compare::LessEqual, true),
+    special::over(special::vertex_color()),
+    special::blended(special::vertex_color(), kZero, special::kSourceColor),
+};
+
+}  // namespace raster
