@@ -59,7 +59,7 @@ DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int ind
     }
     Clock::time_point pass_start = Clock::now();
     const auto observe           = [&](const pipeline::FinishedPass& pass) {
-        drawn.passes.push_back({pass.pass.label, pass.counts, milliseconds_since(pass_start)});
+        drawn.passes.push_back({pass.pass.label, pass.counts, pass.kernels, milliseconds_since(pass_start)});
         if (pictures) pictures->add(pass);
         pass_start = Clock::now();
     };

@@ -49,6 +49,7 @@ Row row_of(const std::string& number, const PassStatistics& pass) {
     for (const Count& count : kCounts) {
         if (!count.heading.empty()) row.push_back(with_separators(pass.counts.*count.value));
     }
+    row.push_back(with_separators(pass.kernels.general));
     char milliseconds[32];
     std::snprintf(milliseconds, sizeof milliseconds, "%.2f", pass.milliseconds);
     row.push_back(milliseconds);
@@ -67,13 +68,15 @@ std::string to_table(const std::vector<PassStatistics>& passes) {
     for (const Count& count : kCounts) {
         if (!count.heading.empty()) headings.emplace_back(count.heading);
     }
+    headings.push_back("general");
     headings.push_back("ms");
 
     std::vector<Row> rows{headings};
-    PassStatistics total{.label = "total", .counts = {}};
+    PassStatistics total{.label = "total", .counts = {}, .kernels = {}};
     for (std::size_t i = 0; i < passes.size(); ++i) {
         rows.push_back(row_of(std::to_string(i), passes[i]));
         for (const Count& count : kCounts) total.counts.*count.value += passes[i].counts.*count.value;
+        total.kernels.general += passes[i].kernels.general;
         total.milliseconds += passes[i].milliseconds;
     }
     rows.push_back(row_of("", total));
@@ -94,7 +97,9 @@ nlohmann::ordered_json to_json(const PassStatistics& pass) {
     nlohmann::ordered_json object;
     object["label"] = pass.label;
     for (const Count& count : kCounts) object[std::string(count.name)] = pass.counts.*count.value;
-    object["milliseconds"] = pass.milliseconds;
+    object["special_kernel"] = pass.kernels.special;
+    object["general_kernel"] = pass.kernels.general;
+    object["milliseconds"]   = pass.milliseconds;
     return object;
 }
 

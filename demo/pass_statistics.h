@@ -6,20 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/execute/pass_counts.h"
+#include "pipeline/execute/execute.h"
 
 namespace demo {
 
 struct PassStatistics {
     std::string label;
     pipeline::PassCounts counts;
+    pipeline::KernelUse kernels;
     double milliseconds = 0.0;
 };
 
-// One line for each pass below a line of headings, and a line of totals; ends with a newline.
+// One line for each pass below a line of headings, and a line of totals; ends with a newline. "general": covered pixels
+// that had no kernel of their own.
 std::string to_table(const std::vector<PassStatistics>& passes);
 
-// An object with the counts by their names in PassCounts.
+// An object with the counts by their names in PassCounts, and those of KernelUse.
 nlohmann::ordered_json to_json(const PassStatistics& pass);
 
 }  // namespace demo

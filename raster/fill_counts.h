@@ -30,4 +30,19 @@ struct FillCounts {
     bool operator==(const FillCounts&) const = default;
 };
 
+// By the kernel that did it: one compiled for the state, or the one for all states.
+struct KernelCounts {
+    FillCounts special, general;
+
+    FillCounts total() const {
+        FillCounts sum = special;
+        return sum += general;
+    }
+    KernelCounts& operator+=(const KernelCounts& more) {
+        special += more.special;
+        general += more.general;
+        return *this;
+    }
+};
+
 }  // namespace raster

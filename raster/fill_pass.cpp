@@ -76,7 +76,7 @@ struct PassFiller::Memory {
     // What a thread keeps to itself.
     struct alignas(64) Thread {
         std::vector<const Command*> commands;  // of the tile at hand
-        std::vector<FillCounts> counts;        // by pass
+        std::vector<KernelCounts> counts;      // by pass
     };
 
     std::span<const PassFill> passes;
@@ -223,7 +223,7 @@ void PassFiller::Memory::fill_tile(std::span<const Part> wave, const Rect& tile,
 PassFiller::PassFiller() : memory_(std::make_unique<Memory>()) {}
 PassFiller::~PassFiller() = default;
 
-void PassFiller::fill(std::span<const PassFill> passes, std::span<FillCounts> counts, const FillOptions& options) {
+void PassFiller::fill(std::span<const PassFill> passes, std::span<KernelCounts> counts, const FillOptions& options) {
     Memory& memory  = *memory_;
     const Rect area = area_of(passes);
     if (area.empty()) return;
@@ -261,9 +261,9 @@ void PassFiller::fill(std::span<const PassFill> passes, std::span<FillCounts> co
 }
 
 FillCounts fill_pass(const PassFill& pass, const FillOptions& options) {
-    FillCounts counts;
+    KernelCounts counts;
     PassFiller().fill({&pass, 1}, {&counts, 1}, options);
-    return counts;
+    return counts.total();
 }
 
 Rect hull(const Rect& a, const Rect& b) {

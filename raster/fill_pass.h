@@ -70,7 +70,7 @@ class PassFiller {
     // in the cache. They draw to one colour and one depth image between them, though not each to both, and none reads
     // either as a texture. Adds to counts[i] what passes[i] did. Uses the threads of the arena it is called in
     // (thread_arena.h).
-    void fill(std::span<const PassFill> passes, std::span<FillCounts> counts, const FillOptions& options = {});
+    void fill(std::span<const PassFill> passes, std::span<KernelCounts> counts, const FillOptions& options = {});
 
   private:
     struct Memory;

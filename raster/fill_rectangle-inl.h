@@ -69,14 +69,30 @@ HWY_INLINE Pixels weigh_quarters(const Quad& quad, VI u, VI v) {
 }
 
 #if HWY_TARGET != HWY_SCALAR
-// Magnified: all lanes lie in one vector of texels.
-HWY_INLINE Quad load_window(const std::uint32_t* row0, const std::uint32_t* row1, VI column) {
-    const VI from    = hn::Sub(column, seti(hn::GetLane(column)));
+// Texels of two rows in one vector each, or in two, one after the other: texel `from` and the next for each lane.
+HWY_INLINE Quad look_up_window(const std::uint32_t* row0, const std::uint32_t* row1, VI from) {
     const auto left  = hn::IndicesFromVec(DU(), from);
     const auto right = hn::IndicesFromVec(DU(), hn::Add(from, seti(1)));
     const VU a = hn::LoadU(DU(), row0), b = hn::LoadU(DU(), row1);
     return {hn::TableLookupLanes(a, left), hn::TableLookupLanes(a, right), hn::TableLookupLanes(b, left),
             hn::TableLookupLanes(b, right)};
+}
+HWY_INLINE Quad look_up_wide_window(const std::uint32_t* row0, const std::uint32_t* row1, VI from) {
+    const DU d;
+    const VI next = hn::Add(from, seti(1));
+    const VU a0 = hn::LoadU(d, row0), a1 = hn::LoadU(d, row0 + lane_count());
+    const VU b0 = hn::LoadU(d, row1), b1 = hn::LoadU(d, row1 + lane_count());
+#if HWY_TARGET <= HWY_AVX3
+    const auto look_up = [](VU low, VU high, VI i)
+                             NIMBUS7_LAMBDA { return VU{_mm512_permutex2var_epi32(low.raw, i.raw, high.raw)}; };
+#else
+    const auto look_up = [d](VU low, VU high, VI i) NIMBUS7_LAMBDA {
+        const auto within = hn::IndicesFromVec(d, hn::And(i, seti(lane_count() - 1)));
+        return hn::IfThenElse(hn::RebindMask(d, hn::Lt(i, seti(lane_count()))), hn::TableLookupLanes(low, within),
+                              hn::TableLookupLanes(high, within));
+    };
+#endif
+    return {look_up(a0, a1, from), look_up(a0, a1, next), look_up(b0, b1, from), look_up(b0, b1, next)};
 }
 
 // Two texels to the pixel.
@@ -105,9 +121,10 @@ HWY_INLINE bool load_quad_of_row(const SamplePlan::Level& level, const RowOfTexe
         quad = load_halved(row0, row1);
         return true;
     }
-    const int last_lane = lane_count() - 1;
-    if (last + 1 - first <= last_lane && first + last_lane < level.width) {
-        quad = load_window(row0, row1, hn::ShiftRight<8>(hn::Sub(at.u(), seti(128))));
+    const int lanes = lane_count(), texels = last + 2 - first;
+    if (texels <= 2 * lanes && first + (texels <= lanes ? 1 : 2) * lanes <= level.width) {
+        const VI from = hn::Sub(hn::ShiftRight<8>(hn::Sub(at.u(), seti(128))), seti(first));
+        quad          = texels <= lanes ? look_up_window(row0, row1, from) : look_up_wide_window(row0, row1, from);
         return true;
     }
 #endif
@@ -160,25 +177,41 @@ HWY_INLINE int rectangle_lod(const SetUpRectangle::Texture& texture, int lod_max
     return std::clamp((std::bit_cast<std::int32_t>(rho2) - std::bit_cast<std::int32_t>(1.0f)) >> 16, 0, lod_max);
 }
 
+// The colour of one vector of lanes in any row.
 template <class Program>
-struct RectangleSource {
-    Program program;
-    const FillPlan& plan;
-    const SetUpRectangle& rectangle;
-    const std::array<int, kMaxTextures>& lod;
-    int block, lane, y;
+class RectangleSource {
+  public:
+    HWY_INLINE RectangleSource(Program program, const FillPlan& plan, const SetUpRectangle& rectangle, int block,
+                               int lane)
+        : program_(program), plan_(plan), rectangle_(rectangle) {
+        for (int i = 0; i < kMaxTextures; ++i) {
+            if (!program->textures[i].has_texels) continue;
+            const SetUpRectangle::Texture& texture = rectangle.textures[i];
+            step_[i]                               = read_plane<kRectangleDrop>(texture.u.step);
+            start_[i] =
+                static_cast<std::int32_t>(static_cast<std::uint32_t>(read_plane<kRectangleDrop>(texture.u.at(block))) +
+                                          static_cast<std::uint32_t>(lane) * static_cast<std::uint32_t>(step_[i]));
+            if (program->textures[i].has_mips) lod_[i] = rectangle_lod(texture, plan.samplers[i].lod_max);
+        }
+    }
+    HWY_INLINE void enter_row(int y) { y_ = y; }
 
-    HWY_INLINE Pixels diffuse() const { return unpack(set(rectangle.color)); }
+    HWY_INLINE Pixels diffuse() const { return unpack(set(rectangle_.color)); }
     HWY_INLINE Pixels specular() const { return unpack(set(Vertex{}.specular)); }
     template <int kStage>
     HWY_INLINE Pixels texel() const {
-        const SetUpRectangle::Texture& texture = rectangle.textures[kStage];
-        const std::int32_t step                = read_plane<kRectangleDrop>(texture.u.step);
-        const auto at_lane = static_cast<std::uint32_t>(read_plane<kRectangleDrop>(texture.u.at(block))) +
-                             static_cast<std::uint32_t>(lane) * static_cast<std::uint32_t>(step);
-        return sample_row(texture_of<kStage>(program), plan.samplers[kStage], lod[kStage],
-                          {static_cast<std::int32_t>(at_lane), step, read_plane<kRectangleDrop>(texture.v.at(y)) >> 8});
+        const std::int32_t v = read_plane<kRectangleDrop>(rectangle_.textures[kStage].v.at(y_)) >> 8;
+        return sample_row(texture_of<kStage>(program_), plan_.samplers[kStage], lod_[kStage],
+                          {start_[kStage], step_[kStage], v});
     }
+
+  private:
+    Program program_;
+    const FillPlan& plan_;
+    const SetUpRectangle& rectangle_;
+    std::array<std::int32_t, kMaxTextures> start_{}, step_{};
+    std::array<int, kMaxTextures> lod_{};
+    int y_ = 0;
 };
 
 // Program: OneProgram or AnyProgram.
@@ -190,26 +223,24 @@ HWY_INLINE void fill_rectangle(Program program, const FillPlan& plan, const SetU
     Counter counter;
     counter.covered =
         static_cast<std::uint64_t>(bounds.x1 - bounds.x0) * static_cast<std::uint64_t>(bounds.y1 - bounds.y0);
-    std::array<int, kMaxTextures> lod{};
-    for (int i = 0; i < kMaxTextures; ++i)
-        if (program->textures[i].has_mips) lod[i] = rectangle_lod(rectangle.textures[i], plan.samplers[i].lod_max);
-    const VU depth = set(program->depth_bits == 0 ? 0 : to_depth_format(rectangle.depth, program->depth_bits));
+    const VU depth      = set(program->depth_bits == 0 ? 0 : to_depth_format(rectangle.depth, program->depth_bits));
+    const auto depth_at = [depth]() NIMBUS7_LAMBDA { return depth; };
 
-    for (int y = bounds.y0; y < bounds.y1; ++y)
-        for (int block = bounds.x0 & -kBlockWidth; block < bounds.x1; block += kBlockWidth) {
-            const unsigned covered = lanes_between(block, bounds.x0, bounds.x1);
-            for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-                const unsigned bits = covered >> lane & all_lanes();
-                if (bits == 0) continue;
-                const Place place{target.color ? target.color->row(y) + block + lane : nullptr,
-                                  target.depth ? target.depth->row(y) + block + lane : nullptr, lane, y};
-                const auto depth_at = [depth]() NIMBUS7_LAMBDA { return depth; };
-                MU mask             = mask_of(bits);
+    for (int block = bounds.x0 & -kBlockWidth; block < bounds.x1; block += kBlockWidth)
+        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
+            const unsigned bits = lanes_between(block, bounds.x0, bounds.x1) >> lane & all_lanes();
+            if (bits == 0) continue;
+            RectangleSource<Program> source(program, plan, rectangle, block, lane);
+            for (int y = bounds.y0; y < bounds.y1; ++y) {
+                const int x = block + lane;
+                const Place place{program->uses_color_target() ? target.color->row(y) + x : nullptr,
+                                  program->depth_bits != 0 ? target.depth->row(y) + x : nullptr, lane, y};
+                MU mask = mask_of(bits);
                 if (program->tests_first()) {
                     mask = test_stored(program, place, depth_at, mask, mask, counter);
                     if (!program->makes_color || hn::AllFalse(DU(), mask)) continue;
                 }
-                const RectangleSource<Program> source{program, plan, rectangle, lod, block, lane, y};
+                source.enter_row(y);
                 finish(program, plan, place, depth_at, make_color(program, plan, source), mask, counter);
             }
         }

@@ -23,7 +23,7 @@ void prefetch(const Command& command) {
 }  // namespace
 
 void fill_tile(std::span<const Command* const> commands, const Rect& tile, const FillTarget& target,
-               std::span<FillCounts> counts) {
+               std::span<KernelCounts> counts) {
     if (commands.empty()) return;
     prefetch(target.color, tile);
     prefetch(target.depth, tile);
@@ -31,11 +31,13 @@ void fill_tile(std::span<const Command* const> commands, const Rect& tile, const
         if (i + kAhead < commands.size()) prefetch(*commands[i + kAhead]);
         const Command& command = *commands[i];
         const FillPlan& plan   = *command.plan;
-        FillCounts& sum        = counts[command.pass];
+        KernelCounts& by       = counts[command.pass];
         if (command.triangle)
-            plan.kernel.triangle(plan, *command.triangle, tile, target, sum);
+            plan.kernel.triangle(plan, *command.triangle, tile, target,
+                                 plan.kernel.special_triangle ? by.special : by.general);
         else
-            plan.kernel.rectangle(plan, *command.rectangle, tile, target, sum);
+            plan.kernel.rectangle(plan, *command.rectangle, tile, target,
+                                  plan.kernel.special_rectangle ? by.special : by.general);
     }
 }
 

@@ -21,6 +21,6 @@ struct Command {
 
 // tile: within the target. Adds to counts[Command::pass].
 void fill_tile(std::span<const Command* const> commands, const Rect& tile, const FillTarget& target,
-               std::span<FillCounts> counts);
+               std::span<KernelCounts> counts);
 
 }  // namespace raster

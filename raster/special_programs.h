@@ -67,6 +67,11 @@ constexpr FillProgram alpha_only(FillProgram program) {
     program.writes = Writes::Alpha;
     return program;
 }
+// The alpha that is there stays.
+constexpr FillProgram without_alpha(FillProgram program) {
+    program.writes = Writes::Some;
+    return program;
+}
 constexpr FillProgram texture(FillProgram program, int stage, TextureProgram how) {
     program.textures[stage] = how;
     return program;
@@ -77,6 +82,7 @@ inline constexpr TextureProgram kPoint{
     .is_read = true, .has_texels = true, .address_u = Address::Clamp, .address_v = Address::Clamp};
 inline constexpr TextureProgram kLinear{
     .is_read = true, .has_texels = true, .linear = true, .address_u = Address::Clamp, .address_v = Address::Clamp};
+inline constexpr TextureProgram kLinearRepeated{.is_read = true, .has_texels = true, .linear = true};
 constexpr TextureProgram mipped(Address address) {
     return {.is_read    = true,
             .has_texels = true,
@@ -117,6 +123,8 @@ inline constexpr std::array kTrianglePrograms{
         special::kOnce)),
     special::alpha_only(special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kOnce),
                                          kZero, special::kSourceColor)),
+    special::alpha_only(special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kLinear),
+                                         kZero, special::kSourceColor)),
 };
 
 inline constexpr std::array kRectanglePrograms{
@@ -134,6 +142,9 @@ inline constexpr std::array kRectanglePrograms{
     special::depth(special::vertex_color(), Compare::LessEqual, true),
     special::over(special::vertex_color()),
     special::blended(special::vertex_color(), kZero, special::kSourceColor),
+    // The same with the alpha that is there, as a chip with alpha in its back buffer draws.
+    special::without_alpha(special::vertex_color()),
+    special::without_alpha(special::texture(special::stages(special::kTexelAsItIs), 0, special::kLinearRepeated)),
 };
 
 }  // namespace raster

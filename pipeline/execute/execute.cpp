@@ -26,7 +26,7 @@ struct ExecutorMemory {
     raster::PassFiller filler;
     std::vector<raster::PassFill>
         fills;  // of the groups, one after the other: a pass finds the memory of its draws again
-    std::vector<raster::FillCounts> filled;
+    std::vector<raster::KernelCounts> filled;
     std::vector<VertexStageDraw> stage_draws;
 };
 
@@ -70,8 +70,8 @@ class FrameExecution {
         arena_.run([&] { memory.frame.prepare(frame, stored_); });
     }
 
-    // Adds to counts[i] what pass i did. index: of the group.
-    void run(const PassGroup& group, std::size_t index, std::span<PassCounts> counts) {
+    // Adds what the passes did to the counts of `out`. index: of the group.
+    void run(const PassGroup& group, std::size_t index, Execution& out) {
         arena_.run([&] {
             // The first of the fills sets new targets to zeros, the others are the passes.
             const std::size_t size = group.end - group.first, first_fill = group.first + index;
@@ -91,16 +91,19 @@ class FrameExecution {
                 memory_.frame.add_drawn(passes[i].depth, fills[i].scissor);
             }
             if (is_reference())
-                for (std::size_t i = 0; i <= size; ++i) memory_.filled[i] = raster::reference_fill_pass(all_fills[i]);
+                for (std::size_t i = 0; i <= size; ++i)
+                    memory_.filled[i] = {.special = raster::reference_fill_pass(all_fills[i]), .general = {}};
             else
                 memory_.filler.fill(all_fills, memory_.filled, {options_.tile_order_seed});
 
             for (const VertexStageDraw& draw : memory_.stage_draws)
-                add_stage_counts(draw.counts, counts[static_cast<std::size_t>(draw.pass - frame_.passes.data())]);
+                add_stage_counts(draw.counts, out.counts[static_cast<std::size_t>(draw.pass - frame_.passes.data())]);
             for (std::size_t i = 0; i < size; ++i) {
-                PassCounts& pass_counts = counts[group.first + i];
+                PassCounts& pass_counts            = out.counts[group.first + i];
+                const raster::KernelCounts& filled = memory_.filled[i + 1];
                 count_clear(passes[i], fills[i].scissor, pass_counts);
-                count_fill(passes[i], memory_.filled[i + 1], pass_counts);
+                count_fill(passes[i], filled.total(), pass_counts);
+                if (!is_reference()) out.kernels[group.first + i] = {filled.special.covered, filled.general.covered};
                 for (const Draw& draw : passes[i].draws)
                     if (const auto* rectangle = std::get_if<CopyRectangle>(&draw))
                         copy(passes[i], *rectangle, pass_counts);
@@ -278,10 +281,11 @@ void Executor::execute(const Frame& frame, Execution& out, const ExecuteOptions&
     if (!findings.empty()) throw std::invalid_argument(findings[0].where + " " + findings[0].what);
     FrameExecution execution(frame, options, *memory_);
     out.counts.assign(frame.passes.size(), {});
+    out.kernels.assign(frame.passes.size(), {});
     const bool one_by_one = observer || options.backend == Backend::Reference;
     std::size_t index     = 0;
     for (const PassGroup& group : schedule_passes(frame, one_by_one)) {
-        execution.run(group, index++, out.counts);
+        execution.run(group, index++, out);
         if (!observer) continue;
         const Pass& pass      = frame.passes[group.first];
         const auto read_color = [&] {
@@ -289,7 +293,7 @@ void Executor::execute(const Frame& frame, Execution& out, const ExecuteOptions&
             execution.read(pass.color, image);
             return image;
         };
-        observer({group.first, pass, out.counts[group.first], read_color});
+        observer({group.first, pass, out.counts[group.first], out.kernels[group.first], read_color});
     }
     execution.read(frame.output, out.output);
 }

@@ -21,12 +21,19 @@ struct ColorImage {
     bool operator==(const ColorImage&) const = default;
 };
 
+// Which fill loops a pass went through, in covered pixels: one compiled for the pass's very state, or the slower one for
+// all states. All 0 with the Reference.
+struct KernelUse {
+    std::uint64_t special = 0, general = 0;
+};
+
 // Called after each pass, in order, with which passes are drawn one by one, and somewhat slower; `read_color` copies
 // the pass's colour target (an empty image if it has none).
 struct FinishedPass {
     std::size_t index;
     const Pass& pass;
     const PassCounts& counts;
+    const KernelUse& kernels;
     std::function<ColorImage()> read_color;
 };
 using PassObserver = std::function<void(const FinishedPass&)>;
@@ -41,8 +48,10 @@ struct ExecuteOptions {
 };
 
 struct Execution {
-    ColorImage output;               // Frame::output
-    std::vector<PassCounts> counts;  // one for each pass
+    ColorImage output;  // Frame::output
+    // One for each pass.
+    std::vector<PassCounts> counts;
+    std::vector<KernelUse> kernels;
 };
 
 // Draws frames one after the other and keeps the memory that one took for the next. Not for use by two threads at once.

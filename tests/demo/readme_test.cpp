@@ -55,7 +55,7 @@ TEST_CASE("the README's table of passes is what the program prints", "[readme]")
     std::vector<demo::PassStatistics> passes;
     pipeline::execute(demo::scene_frame(*scene, demo::default_size(*scene), 0), {},
                       [&](const pipeline::FinishedPass& pass) {
-                          passes.push_back({pass.pass.label, pass.counts, 0.0});
+                          passes.push_back({pass.pass.label, pass.counts, pass.kernels, 0.0});
                       });
     CHECK(timeless_lines(block_after("## How a frame gets its cloud", "```")) ==
           timeless_lines(demo::to_table(passes)));

@@ -56,24 +56,27 @@ TEST_CASE("a label becomes a plain file name", "[arguments]") {
 
 TEST_CASE("the table of passes lines up and sums", "[statistics]") {
     const std::vector<demo::PassStatistics> passes = {
-        {"sky", {.covered = 1234567, .bytes = 8}, 1.5},
-        {"a longer label", {.covered = 33, .texels = 1000}, 0.25},
+        {"sky", {.covered = 1234567, .bytes = 8}, {.special = 1234560, .general = 7}, 1.5},
+        {"a longer label", {.covered = 33, .texels = 1000}, {}, 0.25},
     };
     CHECK(
         demo::to_table(passes) ==
-        "   pass            triangles  rects    covered  z-tested  z-passed  written  blended  texels  bytes    ms\n"
-        "0  sky                     0      0  1,234,567         0         0        0        0       0      8  1.50\n"
-        "1  a longer label          0      0         33         0         0        0        0   1,000      0  0.25\n"
-        "   total                   0      0  1,234,600         0         0        0        0   1,000      8  1.75\n");
+        "   pass            triangles  rects    covered  z-tested  z-passed  written  blended  texels  bytes  general    ms\n"
+        "0  sky                     0      0  1,234,567         0         0        0        0       0      8        7  1.50\n"
+        "1  a longer label          0      0         33         0         0        0        0   1,000      0        0  0.25\n"
+        "   total                   0      0  1,234,600         0         0        0        0   1,000      8        7  1.75\n");
 }
 
 TEST_CASE("the JSON of a pass has its counts by name", "[statistics]") {
-    const nlohmann::ordered_json object = demo::to_json({"sky", {.depth_written = 5, .color_written = 6}, 1.5});
+    const nlohmann::ordered_json object =
+        demo::to_json({"sky", {.depth_written = 5, .color_written = 6}, {.special = 7, .general = 8}, 1.5});
     CHECK(object["label"] == "sky");
     CHECK(object["depth_written"] == 5);
     CHECK(object["color_written"] == 6);
     CHECK(object["milliseconds"] == 1.5);
-    CHECK(object.size() == 16);
+    CHECK(object["special_kernel"] == 7);
+    CHECK(object["general_kernel"] == 8);
+    CHECK(object.size() == 18);
 }
 
 TEST_CASE("every printable character has a glyph of its own", "[contact sheet]") {
