@@ -23,8 +23,10 @@ TextureProgram texture_program(const Sampler& sampler) {
     program.has_mips   = sampler.mip != MipFilter::None && sampler.levels.size() > 1;
     program.mip        = program.has_mips ? sampler.mip : MipFilter::None;
     if (program.linear || program.mip == MipFilter::Linear) program.rule = sampler.rule;
-    program.address_u = sampler.address_u;
-    program.address_v = sampler.address_v;
+    program.address_u   = sampler.address_u;
+    program.address_v   = sampler.address_v;
+    program.alpha_quads = !sampler.alpha_quads.empty() && sampler.linear && sampler.address_u == Address::Clamp &&
+                          sampler.address_v == Address::Clamp;
     return program;
 }
 
@@ -121,7 +123,7 @@ FillPlan plan_fill(const FillState& state, bool has_color, const ColorFormat& fo
         plan.texels_per_fragment += texels;
         plan.texel_bytes_per_fragment += texels * static_cast<std::uint64_t>(sampler.texel_bytes);
         if (!program.textures[i].has_texels) continue;
-        plan.samplers[i]      = plan_sampler(sampler);
+        plan.samplers[i]      = plan_sampler(sampler, program.textures[i].alpha_quads);
         plan.needs.texture[i] = true;
         plan.needs.lod[i]     = program.textures[i].has_mips;
         plan.needs.width[i]   = sampler.levels[0].width;
@@ -131,12 +133,12 @@ FillPlan plan_fill(const FillState& state, bool has_color, const ColorFormat& fo
     return plan;
 }
 
-SamplePlan plan_sampler(const Sampler& sampler) {
+SamplePlan plan_sampler(const Sampler& sampler, bool alpha_quads) {
     SamplePlan plan;
     plan.level_count = static_cast<int>(sampler.levels.size());
     plan.lod_max     = sampler.mip == MipFilter::None ? 0 : 256 * (plan.level_count - 1);
     for (int i = 0; i < plan.level_count; ++i) {
-        const TextureLevel& level = sampler.levels[i];
+        const TextureLevel& level = (alpha_quads ? sampler.alpha_quads : sampler.levels)[i];
         plan.levels[i]            = {level.texels, static_cast<std::int32_t>(level.stride), level.width, level.height};
     }
     return plan;

@@ -14,6 +14,7 @@ namespace raster {
 struct TextureProgram {
     bool is_read                                 = false;  // by a stage
     bool has_texels                              = false;  // white if not; the rest is only used with texels
+    bool alpha_quads                             = false;  // packed as in raster/alpha_quads.h
     bool linear                                  = false;
     bool has_mips                                = false;  // more than one level may be read
     FilterRule rule                              = FilterRule::Single8;

@@ -135,7 +135,8 @@ template <class Texture>
 HWY_INLINE Pixels sample_linear_row(Texture program, const SamplePlan& plan, const RowOfTexels& at) {
     const Advance advance(at);
     Quad quad;
-    if (!load_quad_of_row(plan.levels[0], at, advance, quad)) return sample(program, plan, at.u(), seti(at.v), nullptr);
+    if (program->alpha_quads || !load_quad_of_row(plan.levels[0], at, advance, quad))
+        return sample(program, plan, at.u(), seti(at.v), nullptr);
     const bool is_even = advance.is_even(256) || advance.is_even(512);
     const int bits     = advance.first() | at.v;
     if (program->rule == FilterRule::Single8 && is_even && (bits & 255) == 0)

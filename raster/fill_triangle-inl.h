@@ -102,10 +102,11 @@ class TriangleFill {
         color_        = target_.color ? target_.color->row(y) + x : nullptr;
         depth_pixels_ = target_.depth ? target_.depth->row(y) + x : nullptr;
         if (program_->depth_bits != 0) start_rows<kDepthDrop>(triangle_.depth, x, y, rows, depth_.row);
-        live = test_rows(cover, live);
+        pixels_ = 0;
+        live    = test_rows(cover, live);
         if (live == 0 || !program_->makes_color) return;
         enter_color_ramps();
-        if (program_->is_textured())
+        if (program_->is_textured() && 4 * pixels_ < 3 * kBlockWidth * std::popcount(live))
             fill_listed(live);
         else
             fill_in_place(live);
@@ -133,19 +134,19 @@ class TriangleFill {
         };
     }
 
-    // Of lanes of a row, or of the list; then `listed` is where they are in it.
+    // Of lanes of a row, or of the list. `point`: where theirs are among the points.
     template <class Lanes>
     struct Source {
         const TriangleFill& fill;
         const Lanes& lanes;
-        int listed;
+        int point;
         HWY_INLINE Pixels diffuse() const { return fill.diffuse_.at(fill.diffuse_use(), lanes); }
         HWY_INLINE Pixels specular() const { return fill.specular_.at(fill.specular_use(), lanes); }
         template <int kStage>
         HWY_INLINE Pixels texel() const {
             const TexturePoints& points = fill.points_[kStage];
             return sample(texture_of<kStage>(fill.program_), fill.plan_.samplers[kStage],
-                          hn::Load(DI(), points.u + listed), hn::Load(DI(), points.v + listed), points.lod + listed);
+                          hn::Load(DI(), points.u + point), hn::Load(DI(), points.v + point), points.lod + point);
         }
     };
 
@@ -166,6 +167,7 @@ class TriangleFill {
             if (program_->tests_first()) bits = test_row(row, bits);
             alive_[row] = static_cast<std::uint16_t>(bits);
             alive |= static_cast<unsigned>(bits != 0) << row;
+            pixels_ += std::popcount(bits);
         }
         return alive;
     }
@@ -181,16 +183,23 @@ class TriangleFill {
         return passed;
     }
 
-    // Vector by vector of each row.
+    // Vector by vector of each row. Lanes that are not alive read textures as well: any point is a good one.
     HWY_INLINE void fill_in_place(unsigned live) {
+        if (program_->is_textured())
+            for (unsigned rest = live; rest != 0; rest &= rest - 1) {
+                const int row = std::countr_zero(rest);
+                for (int lane = 0; lane < kBlockWidth; lane += lane_count())
+                    locate(LanesOfRow{row, lane}, row * kBlockWidth + lane);
+            }
         for (; live != 0; live &= live - 1) {
             const int row = std::countr_zero(live);
             for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
                 const unsigned bits = static_cast<unsigned>(alive_[row]) >> lane & all_lanes();
                 if (lane_count() < kBlockWidth && bits == 0) continue;
                 const LanesOfRow lanes{row, lane};
-                const Pixels color = make_color(program_, plan_, Source<LanesOfRow>{*this, lanes, 0});
-                finish(program_, plan_, place(row, lane), depth_at(row, lane), color, mask_of(bits), counter_);
+                const Source<LanesOfRow> source{*this, lanes, row * kBlockWidth + lane};
+                finish(program_, plan_, place(row, lane), depth_at(row, lane), make_color(program_, plan_, source),
+                       mask_of(bits), counter_);
             }
         }
     }
@@ -209,8 +218,7 @@ class TriangleFill {
         // Points first, for all: the way to a texel is long, and the processor can go it for several vectors at once.
         for (int i = 0; i < listed; i += lane_count()) {
             const LanesOfList lanes(list + i);
-            locate<0>(lanes, i);
-            locate<1>(lanes, i);
+            locate(lanes, i);
         }
         for (int i = 0; i < listed; i += lane_count()) {
             const LanesOfList lanes(list + i);
@@ -229,8 +237,14 @@ class TriangleFill {
         }
     }
 
-    template <int kStage>
-    HWY_INLINE void locate(const LanesOfList& lanes, int to) {
+    // Where a vector of lanes reads the textures: to `to` and on of the points.
+    template <class Lanes>
+    HWY_INLINE void locate(const Lanes& lanes, int to) {
+        locate_in<0>(lanes, to);
+        locate_in<1>(lanes, to);
+    }
+    template <int kStage, class Lanes>
+    HWY_INLINE void locate_in(const Lanes& lanes, int to) {
         if (!samples(kStage)) return;
         textures_[kStage].locate(texture_of<kStage>(program_), plan_.samplers[kStage].lod_max,
                                  triangle_.textures[kStage], lanes, points_[kStage], to);
@@ -256,6 +270,7 @@ class TriangleFill {
     std::uint32_t *color_ = nullptr, *depth_pixels_ = nullptr;  // its first pixel in each
     std::ptrdiff_t stride_;
     std::uint16_t alive_[kColumnRows];
+    int pixels_ = 0;  // that are alive
     Counter counter_;
     Ramp depth_;
     ColorRamps diffuse_, specular_;

@@ -21,6 +21,6 @@ struct SamplePlan {
     int level_count = 0;
     int lod_max     = 0;  // 1/256 level
 };
-SamplePlan plan_sampler(const Sampler& sampler);
+SamplePlan plan_sampler(const Sampler& sampler, bool alpha_quads = false);
 
 }  // namespace raster

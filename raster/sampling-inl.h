@@ -35,6 +35,17 @@ struct Quad {
     VU t00, t10, t01, t11;
 };
 
+// a * b, both in 0..2^15 - 1.
+HWY_INLINE VI mul_small(VI a, std::int32_t b) {
+#if HWY_TARGET <= HWY_AVX3
+    return VI{_mm512_madd_epi16(a.raw, _mm512_set1_epi32(b))};
+#elif HWY_TARGET == HWY_AVX2
+    return VI{_mm256_madd_epi16(a.raw, _mm256_set1_epi32(b))};
+#else
+    return hn::Mul(a, seti(b));
+#endif
+}
+
 // The texels at texels[index] and the ones after them.
 HWY_INLINE void gather_pairs(const std::uint32_t* texels, VI index, VU& first, VU& second) {
     const DU d;
@@ -69,6 +80,18 @@ HWY_INLINE Quad load_quad(const SamplePlan::Level& level, VI row0, VI row1, VI c
     const auto texel = [&](VI row, VI column)
                            NIMBUS7_LAMBDA { return hn::GatherIndex(DU(), level.texels, hn::Add(row, column)); };
     return {texel(row0, column0), texel(row0, column1), texel(row1, column0), texel(row1, column1)};
+}
+
+// From a level packed as in raster/alpha_quads.h: (i, j) is the first of the four.
+HWY_INLINE Quad load_alpha_quad(const SamplePlan::Level& level, VI i, VI j) {
+    const auto place = [](VI index, int size) NIMBUS7_LAMBDA {
+        return hn::Add(hn::Min(hn::Max(index, seti(-1)), seti(size - 1)), seti(1));
+    };
+    const VI row   = mul_small(place(j, level.height), level.stride);
+    const VU four  = hn::GatherIndex(DU(), level.texels, hn::Add(row, place(i, level.width)));
+    const VU alpha = set(0xff000000);
+    return {hn::ShiftLeft<24>(four), hn::And(hn::ShiftLeft<16>(four), alpha), hn::And(hn::ShiftLeft<8>(four), alpha),
+            hn::And(four, alpha)};
 }
 
 // a * (one - f) + b * f: exact in 16 bits for bytes and one = 256 at most, and wherever else the sum is less than 2^16.
@@ -112,17 +135,6 @@ HWY_INLINE VU fraction_pair_times_256(VI coordinate) {
 template <int kBits>
 HWY_INLINE VU fraction_pair_over(VI coordinate) {
     return shift_right16<kBits>(fraction_pair(coordinate));
-}
-
-// a * b, both in 0..2^15 - 1.
-HWY_INLINE VI mul_small(VI a, std::int32_t b) {
-#if HWY_TARGET <= HWY_AVX3
-    return VI{_mm512_madd_epi16(a.raw, _mm512_set1_epi32(b))};
-#elif HWY_TARGET == HWY_AVX2
-    return VI{_mm256_madd_epi16(a.raw, _mm256_set1_epi32(b))};
-#else
-    return hn::Mul(a, seti(b));
-#endif
 }
 
 // The filters: weigh_quad() for the neighbours of a position, whose weights are the low 8 bits of u and v; mix_levels() for two mip
@@ -226,6 +238,7 @@ HWY_INLINE Pixels sample_level(Texture program, const SamplePlan& plan, int inde
         u          = hn::Sub(u, seti(128));
         v          = hn::Sub(v, seti(128));
         const VI i = hn::ShiftRight<8>(u), j = hn::ShiftRight<8>(v);
+        if (program->alpha_quads) return Filter::weigh_quad(load_alpha_quad(level, i, j), u, v);
         const VI i0   = address(program->address_u, i, level.width),
                  i1   = address(program->address_u, hn::Add(i, seti(1)), level.width);
         const VI row0 = mul_small(address(program->address_v, j, level.height), level.stride);

@@ -92,7 +92,13 @@ constexpr TextureProgram mipped(Address address) {
             .address_u  = address,
             .address_v  = address};
 }
-inline constexpr TextureProgram kRepeated = mipped(Address::Wrap), kOnce = mipped(Address::Clamp);
+inline constexpr TextureProgram kRepeated = mipped(Address::Wrap);
+// One channel, for fractals.
+constexpr TextureProgram alpha_quads(TextureProgram texture) {
+    texture.alpha_quads = true;
+    return texture;
+}
+inline constexpr TextureProgram kFractal = alpha_quads(mipped(Address::Clamp)), kFlatFractal = alpha_quads(kLinear);
 
 inline constexpr CombineStage kTexelAsItIs{select(kTexel), select(kTexel)};
 inline constexpr CombineStage kLitTexel{modulate(kTexel, kDiffuse), select(kConstant)};
@@ -120,11 +126,12 @@ inline constexpr std::array kTrianglePrograms{
     // Fractal boxes: eroding, multiplying.
     special::over(special::texture(
         special::texture(special::stages(special::kTexelAsItIs, special::kErosion), 0, special::kPoint), 1,
-        special::kOnce)),
-    special::alpha_only(special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kOnce),
+        special::kFractal)),
+    special::alpha_only(special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kFractal),
                                          kZero, special::kSourceColor)),
-    special::alpha_only(special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kLinear),
-                                         kZero, special::kSourceColor)),
+    special::alpha_only(
+        special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kFlatFractal), kZero,
+                         special::kSourceColor)),
 };
 
 inline constexpr std::array kRectanglePrograms{

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "pipeline/execute/lower.h"
+#include "raster/alpha_quads.h"
 #include "raster/fill_pass.h"
 
 namespace pipeline {
@@ -19,6 +20,20 @@ void set_bound_textures(const Frame& frame, std::vector<bool>& is_bound) {
                 if (binding.texture) is_bound[static_cast<std::size_t>(binding.texture.index)] = true;
 }
 
+// Of A8; nothing of other formats.
+void pack_quads(const Texture& texture, std::vector<std::uint32_t>& out) {
+    out.clear();
+    if (texture.format != TextureFormat::A8) return;
+    const std::uint8_t* texels = texture.texels.data();
+    for (int level = 0; level < texture.levels; ++level) {
+        const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
+        const std::size_t done = out.size();
+        out.resize(done + raster::alpha_quad_count(width, height));
+        raster::pack_alpha_quads(texels, width, height, out.data() + done);
+        texels += static_cast<std::ptrdiff_t>(width) * height;
+    }
+}
+
 }  // namespace
 
 void FrameMemory::TextureMemory::set(const Texture& texture) {
@@ -29,10 +44,13 @@ void FrameMemory::TextureMemory::set(const Texture& texture) {
         texels = reinterpret_cast<const std::uint32_t*>(from.data());
         return;
     }
-    if (format != texture.format || source != from) {
+    if (format != texture.format || width != texture.width || height != texture.height || source != from) {
         format = texture.format;
+        width  = texture.width;
+        height = texture.height;
         source = from;
         expanded.resize(from.size());
+        pack_quads(texture, quads);
         if (format == TextureFormat::A8)
             std::transform(from.begin(), from.end(), expanded.begin(),
                            [](std::uint8_t a) { return static_cast<std::uint32_t>(a) << 24; });
@@ -97,12 +115,16 @@ raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
         sampler.levels.push_back({target.row(0), target.width(), target.height(), target.stride()});
     } else if (binding.texture) {
         const Texture& texture      = frame_->textures[binding.texture.index];
+        const TextureMemory& memory = textures_[binding.texture.index];
         sampler.texel_bytes         = bytes_per_texel(texture.format);
-        const std::uint32_t* texels = textures_[binding.texture.index].texels;
+        const std::uint32_t *texels = memory.texels, *quads = memory.quads.data();
         for (int level = 0; level < texture.levels; ++level) {
             const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
             sampler.levels.push_back({texels, width, height, width});
             texels += static_cast<std::ptrdiff_t>(width) * height;
+            if (texture.format != TextureFormat::A8) continue;
+            sampler.alpha_quads.push_back({quads, width, height, width + 1});
+            quads += raster::alpha_quad_count(width, height);
         }
     }
     return sampler;

@@ -51,8 +51,11 @@ class FrameMemory {
     struct TextureMemory {
         const std::uint32_t* texels = nullptr;  // 0xAARRGGBB, whatever the texture's format
         TextureFormat format        = TextureFormat::A8R8G8B8;
-        std::vector<std::uint8_t> source;  // what was expanded, and to what
+        // What was expanded, and to what.
+        std::int32_t width = 0, height = 0;
+        std::vector<std::uint8_t> source;
         std::vector<std::uint32_t> expanded;
+        std::vector<std::uint32_t> quads;  // of A8: raster/alpha_quads.h, level by level
         void set(const Texture& texture);
     };
     std::vector<TargetMemory> targets_;

@@ -224,12 +224,14 @@ TEST_CASE("samplers of the special programs are among those read", "[raster]") {
         for (const TextureProgram& texture : program.textures) {
             if (!texture.has_texels) continue;
             const TextureLevel level{&texel, 1, 1, 1};
-            CHECK(SampleBench({.levels    = {level, level},
-                               .linear    = texture.linear,
-                               .rule      = texture.rule,
-                               .mip       = texture.mip,
-                               .address_u = texture.address_u,
-                               .address_v = texture.address_v})
+            const std::vector<TextureLevel> levels{level, level};
+            CHECK(SampleBench({.levels      = levels,
+                               .alpha_quads = texture.alpha_quads ? levels : std::vector<TextureLevel>(),
+                               .linear      = texture.linear,
+                               .rule        = texture.rule,
+                               .mip         = texture.mip,
+                               .address_u   = texture.address_u,
+                               .address_v   = texture.address_v})
                       .has_special_kernels());
         }
 }

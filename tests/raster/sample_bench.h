@@ -27,8 +27,8 @@ class SampleBench {
   public:
     explicit SampleBench(const raster::Sampler& sampler)
         : sampler_(sampler),
-          plan_(raster::plan_sampler(sampler)),
           program_(program_of(sampler)),
+          plan_(raster::plan_sampler(sampler, program_.alpha_quads)),
           samples_(simd_kernels::of_every_kind(
               [&](fill_steps::Kind kind) { return fill_steps::sample_step(program_, kind); })),
           rows_samples_(simd_kernels::of_every_kind(
@@ -99,8 +99,8 @@ class SampleBench {
     }
 
     raster::Sampler sampler_;
-    raster::SamplePlan plan_;
     raster::TextureProgram program_;
+    raster::SamplePlan plan_;
     std::vector<simd_kernels::Named<fill_steps::Sample>> samples_;
     std::vector<simd_kernels::Named<fill_steps::SampleRowsStep>> rows_samples_;
     std::unique_ptr<fill_steps::SamplePoints> points_ = std::make_unique<fill_steps::SamplePoints>();

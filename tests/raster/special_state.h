@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/alpha_quads.h"
 #include "raster/fill_plan.h"
 #include "tests/raster/special_parts.h"
 #include "tests/support/random.h"
@@ -85,13 +86,19 @@ class SpecialState {
         sampler.address_v = texture.address_v;
         for (int size = random.one_of({16, 32, 64}); size > 0; size = texture.has_mips ? size / 2 : 0) {
             std::vector<std::uint32_t>& texels = texels_[i].emplace_back(static_cast<std::size_t>(size * size));
-            for (std::uint32_t& texel : texels) texel = random.bits();
+            for (std::uint32_t& texel : texels) texel = random.bits() & (texture.alpha_quads ? 0xff000000 : 0xffffffff);
             sampler.levels.push_back({texels.data(), size, size, size});
+            if (!texture.alpha_quads) continue;
+            std::vector<std::uint8_t> alphas;
+            for (const std::uint32_t texel : texels) alphas.push_back(static_cast<std::uint8_t>(texel >> 24));
+            std::vector<std::uint32_t>& quads = quads_[i].emplace_back(raster::alpha_quad_count(size, size));
+            raster::pack_alpha_quads(alphas.data(), size, size, quads.data());
+            sampler.alpha_quads.push_back({quads.data(), size, size, size + 1});
         }
     }
 
     const raster::FillProgram& program_;
-    std::array<std::vector<std::vector<std::uint32_t>>, raster::kMaxTextures> texels_;
+    std::array<std::vector<std::vector<std::uint32_t>>, raster::kMaxTextures> texels_, quads_;
 };
 
 }  // namespace special_state
