@@ -22,7 +22,14 @@ namespace HWY_NAMESPACE {
 
 HWY_INLINE VI floor_to_int(VF value) {
     constexpr float kLimit = 1073741824.0f;  // 2^30
-    return hn::ConvertTo(DI(), hn::Floor(hn::Min(hn::Max(value, hn::Set(DF(), -kLimit)), hn::Set(DF(), kLimit))));
+    const VF kept          = hn::Min(hn::Max(value, hn::Set(DF(), -kLimit)), hn::Set(DF(), kLimit));
+#if HWY_TARGET <= HWY_AVX3
+    return VI{_mm512_cvt_roundps_epi32(kept.raw, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)};
+#elif HWY_TARGET == HWY_AVX2
+    return VI{_mm256_cvttps_epi32(_mm256_floor_ps(kept.raw))};  // ConvertTo minds overflow, which cannot be
+#else
+    return hn::ConvertTo(DI(), hn::Floor(kept));
+#endif
 }
 
 // Room for every pixel of a column, and for the rest of a vector.
@@ -48,14 +55,16 @@ class TextureRamps {
         start_rows<kTextureDrop>(planes.t, x, y, rows, t_.row);
         start_rows<kTextureDrop>(planes.q, x, y, rows, q_.row);
     }
-    // Of lanes `to` and on, a vector of them.
+    template <class Lanes>
+    HWY_INLINE VF reciprocal_q(const Lanes& lanes) const {
+        return hn::Div(hn::Set(DF(), 1.0f), hn::ConvertTo(DF(), hn::Max(lanes.at(q_), seti(1))));
+    }
+    // Of a vector of lanes, to `to` and on. r: their reciprocal_q.
     template <class Texture, class Lanes>
-    HWY_INLINE void locate(Texture texture, int lod_max, const TexturePlanes& planes, const Lanes& lanes,
+    HWY_INLINE void locate(Texture texture, int lod_max, const TexturePlanes& planes, const Lanes& lanes, VF r,
                            TexturePoints& out, int to) const {
         const VF ku = hn::Set(DF(), planes.scale_u), kv = hn::Set(DF(), planes.scale_v), unit = hn::Set(DF(), 256.0f);
         const VF s = hn::ConvertTo(DF(), lanes.at(s_)), t = hn::ConvertTo(DF(), lanes.at(t_));
-        const VF q = hn::ConvertTo(DF(), hn::Max(lanes.at(q_), seti(1)));
-        const VF r = hn::Div(hn::Set(DF(), 1.0f), q);
         const VF u = hn::Mul(s, r), v = hn::Mul(t, r);
         hn::Store(floor_to_int(hn::Mul(hn::Mul(u, ku), unit)), DI(), out.u + to);
         hn::Store(floor_to_int(hn::Mul(hn::Mul(v, kv), unit)), DI(), out.v + to);
@@ -94,6 +103,8 @@ class TriangleFill {
                                      triangle.specular);
         if (samples(0)) textures_[0].enter_triangle(triangle.textures[0]);
         if (samples(1)) textures_[1].enter_triangle(triangle.textures[1]);
+        // Divisions are dear, and q is mostly that of the perspective in both textures.
+        shares_q_ = samples(0) && samples(1) && triangle.textures[0].q == triangle.textures[1].q;
     }
 
     // The pixels of a column that `cover` has entered, in the rows that have a bit in `live`.
@@ -240,14 +251,20 @@ class TriangleFill {
     // Where a vector of lanes reads the textures: to `to` and on of the points.
     template <class Lanes>
     HWY_INLINE void locate(const Lanes& lanes, int to) {
-        locate_in<0>(lanes, to);
-        locate_in<1>(lanes, to);
+        VF r = hn::Zero(DF());
+        if (samples(0)) {
+            r = textures_[0].reciprocal_q(lanes);
+            locate_in<0>(lanes, r, to);
+        }
+        if (samples(1)) {
+            if (!shares_q_) r = textures_[1].reciprocal_q(lanes);
+            locate_in<1>(lanes, r, to);
+        }
     }
     template <int kStage, class Lanes>
-    HWY_INLINE void locate_in(const Lanes& lanes, int to) {
-        if (!samples(kStage)) return;
+    HWY_INLINE void locate_in(const Lanes& lanes, VF r, int to) {
         textures_[kStage].locate(texture_of<kStage>(program_), plan_.samplers[kStage].lod_max,
-                                 triangle_.textures[kStage], lanes, points_[kStage], to);
+                                 triangle_.textures[kStage], lanes, r, points_[kStage], to);
     }
 
     // Each as 16 * row + lane. Writes up to 8 bytes beyond.
@@ -276,6 +293,7 @@ class TriangleFill {
     ColorRamps diffuse_, specular_;
     TextureRamps textures_[kMaxTextures];
     TexturePoints points_[kMaxTextures];
+    bool shares_q_ = false;  // both textures have the same
 };
 
 // Program: OneProgram or AnyProgram.

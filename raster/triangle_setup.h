@@ -16,6 +16,7 @@ namespace raster {
 // value at the sample point of pixel (x, y): origin + dx * x + dy * y, modulo 2^64.
 struct Plane {
     std::uint64_t origin = 0, dx = 0, dy = 0;
+    bool operator==(const Plane&) const = default;
     std::uint64_t at(int x, int y) const {
         return origin + dx * static_cast<std::uint64_t>(x) + dy * static_cast<std::uint64_t>(y);
     }
