@@ -104,27 +104,68 @@ HWY_INLINE Quad load_halved(const std::uint32_t* row0, const std::uint32_t* row1
 }
 #endif
 
-// By contiguous loads; false at the border and for other steps.
-HWY_INLINE bool load_quad_of_row(const SamplePlan::Level& level, const RowOfTexels& at, const Advance& advance,
-                                 Quad& quad) {
+// The same with all four weights alike: (a + b + c + d + 2) >> 2.
+HWY_INLINE Pixels average_halved(const std::uint32_t* row0, const std::uint32_t* row1) {
+#if HWY_TARGET <= HWY_AVX2
+    // Of two texels next to each other blue with blue and red with red, in one word, and green and alpha in another, so
+    // that sums of neighbouring bytes are pairs.
+    alignas(16) static constexpr std::uint8_t kBeside[16] = {0, 4, 2, 6, 8, 12, 10, 14, 1, 5, 3, 7, 9, 13, 11, 15};
+    const hn::Repartition<std::uint8_t, DU> bytes;
+    const hn::Repartition<std::uint64_t, DU> two_words;
+    const auto beside = hn::LoadDup128(bytes, kBeside);
+    const auto sums   = [&](const std::uint32_t* texels) NIMBUS7_LAMBDA {
+        const auto moved = hn::TableLookupBytes(hn::BitCast(bytes, hn::LoadU(DU(), texels)), beside);
+#if HWY_TARGET <= HWY_AVX3
+        return VU{_mm512_maddubs_epi16(moved.raw, _mm512_set1_epi8(1))};
+#else
+        return VU{_mm256_maddubs_epi16(moved.raw, _mm256_set1_epi8(1))};
+#endif
+    };
+    const auto near    = hn::BitCast(two_words, add16(sums(row0), sums(row1)));
+    const auto far     = hn::BitCast(two_words, add16(sums(row0 + lane_count()), sums(row1 + lane_count())));
+    const auto quarter = [](auto sum)
+                             NIMBUS7_LAMBDA { return shift_right16<2>(add16(hn::BitCast(DU(), sum), set_pair(2))); };
+    return {quarter(hn::ConcatEven(two_words, far, near)), quarter(hn::ConcatOdd(two_words, far, near))};
+#elif HWY_TARGET == HWY_SCALAR
+    return average({set(row0[0]), set(row0[1]), set(row1[0]), set(row1[1])});
+#else
+    return average(load_halved(row0, row1));
+#endif
+}
+
+// The rows of texels that a vector of lanes reads, from its first one on; false if they reach over the border.
+struct TexelRows {
+    const std::uint32_t *row0, *row1;
+    int first, last;  // columns, less half a texel
+};
+HWY_INLINE bool find_rows(const SamplePlan::Level& level, const RowOfTexels& at, const Advance& advance,
+                          TexelRows& rows) {
     const int first = (advance.first() - 128) >> 8, last = (advance.last() - 128) >> 8, j = (at.v - 128) >> 8;
     if (!advance.is_in_order() || first < 0 || j < 0 || j + 1 >= level.height || last + 1 >= level.width) return false;
-    const std::uint32_t* const row0 = level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + first;
-    const std::uint32_t* const row1 = row0 + level.stride;
+    const std::uint32_t* const row = level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + first;
+    rows                           = {row, row + level.stride, first, last};
+    return true;
+}
+
+// By contiguous loads; false for steps that these do not serve.
+HWY_INLINE bool load_quad([[maybe_unused]] const SamplePlan::Level& level, [[maybe_unused]] const RowOfTexels& at,
+                          const Advance& advance, const TexelRows& rows, Quad& quad) {
     if (advance.is_even(256)) {
         const DU d;
-        quad = {hn::LoadU(d, row0), hn::LoadU(d, row0 + 1), hn::LoadU(d, row1), hn::LoadU(d, row1 + 1)};
+        quad = {hn::LoadU(d, rows.row0), hn::LoadU(d, rows.row0 + 1), hn::LoadU(d, rows.row1),
+                hn::LoadU(d, rows.row1 + 1)};
         return true;
     }
 #if HWY_TARGET != HWY_SCALAR
     if (advance.is_even(512)) {
-        quad = load_halved(row0, row1);
+        quad = load_halved(rows.row0, rows.row1);
         return true;
     }
-    const int lanes = lane_count(), texels = last + 2 - first;
-    if (texels <= 2 * lanes && first + (texels <= lanes ? 1 : 2) * lanes <= level.width) {
-        const VI from = hn::Sub(hn::ShiftRight<8>(hn::Sub(at.u(), seti(128))), seti(first));
-        quad          = texels <= lanes ? look_up_window(row0, row1, from) : look_up_wide_window(row0, row1, from);
+    const int lanes = lane_count(), texels = rows.last + 2 - rows.first;
+    if (texels <= 2 * lanes && rows.first + (texels <= lanes ? 1 : 2) * lanes <= level.width) {
+        const VI from = hn::Sub(hn::ShiftRight<8>(hn::Sub(at.u(), seti(128))), seti(rows.first));
+        quad          = texels <= lanes ? look_up_window(rows.row0, rows.row1, from)
+                                        : look_up_wide_window(rows.row0, rows.row1, from);
         return true;
     }
 #endif
@@ -133,16 +174,22 @@ HWY_INLINE bool load_quad_of_row(const SamplePlan::Level& level, const RowOfTexe
 
 template <class Texture>
 HWY_INLINE Pixels sample_linear_row(Texture program, const SamplePlan& plan, const RowOfTexels& at) {
+    const SamplePlan::Level& level = plan.levels[0];
     const Advance advance(at);
-    Quad quad;
-    if (program->alpha_quads || !load_quad_of_row(plan.levels[0], at, advance, quad))
+    TexelRows rows{};
+    if (program->alpha_quads || !find_rows(level, at, advance, rows))
         return sample(program, plan, at.u(), seti(at.v), nullptr);
-    const bool is_even = advance.is_even(256) || advance.is_even(512);
-    const int bits     = advance.first() | at.v;
-    if (program->rule == FilterRule::Single8 && is_even && (bits & 255) == 0)
-        return average(quad);  // both fractions are one half
+    // Fractions of one half, and of quarters, along both axes.
+    const bool is_even    = advance.is_even(256) || advance.is_even(512),
+               is_single8 = program->rule == FilterRule::Single8;
+    const bool halves     = is_single8 && is_even && ((advance.first() | at.v) & 255) == 0;
+    const bool quarters   = is_single8 && is_even && ((advance.first() | at.v) & 63) == 0;
+    if (halves && advance.is_even(512)) return average_halved(rows.row0, rows.row1);
+    Quad quad;
+    if (!load_quad(level, at, advance, rows, quad)) return sample(program, plan, at.u(), seti(at.v), nullptr);
+    if (halves) return average(quad);
     const VI half = seti(128), u = hn::Sub(at.u(), half), v = hn::Sub(seti(at.v), half);
-    if (program->rule == FilterRule::Single8 && is_even && (bits & 63) == 0) return weigh_quarters(quad, u, v);
+    if (quarters) return weigh_quarters(quad, u, v);
     return with_filter(program, [&](auto filter) NIMBUS7_LAMBDA {
         using Filter = decltype(filter);
         if constexpr (Filter::kLinear)
