@@ -20,33 +20,49 @@ HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
 
-// The texture coordinates of one vector of lanes: u of each is (start + lane * step) >> 8 modulo 2^24, in 1/256 texel.
-struct RowOfTexels {
-    std::int32_t start, step, v;
-
-    HWY_INLINE VI u() const { return hn::ShiftRight<8>(hn::Add(seti(start), hn::Mul(lane_index(0), seti(step)))); }
-};
-
-// Where u of the first and last lane is, and how it gets there.
-class Advance {
+// The columns of texels that a vector of lanes reads, the same in every row. u of a lane is (start + lane * step) >> 8
+// modulo 2^24, in 1/256 texel.
+class Columns {
   public:
-    explicit HWY_INLINE Advance(const RowOfTexels& at) : step_(at.step >> 8) {
-        const std::int64_t last = at.start + std::int64_t{at.step} * (lane_count() - 1);
-        in_order_               = at.step >= 0 && last == static_cast<std::int32_t>(last);
-        first_                  = at.start >> 8;
-        last_                   = static_cast<std::int32_t>(last) >> 8;
+    // How a linear sample gets at its texels.
+    enum class Way : std::uint8_t { Gather, Beside, Halved, Window, WideWindow };
+
+    HWY_INLINE Columns(std::int32_t start, std::int32_t step, int width) : start_(start), step_(step) {
+        const std::int64_t last_u = start + std::int64_t{step} * (lane_count() - 1);
+        first_u_                  = start >> 8;
+        last_u_                   = static_cast<std::int32_t>(last_u) >> 8;
+        is_in_order_              = step >= 0 && last_u == static_cast<std::int32_t>(last_u);
+        way_                      = way(width);
     }
+    HWY_INLINE VI u() const { return hn::ShiftRight<8>(hn::Add(seti(start_), hn::Mul(lane_index(0), seti(step_)))); }
+    HWY_INLINE Way way() const { return way_; }
+    // Of the first lane: its u, and the left one of the two columns that it reads if linear.
+    HWY_INLINE int first_u() const { return first_u_; }
+    HWY_INLINE int first() const { return (first_u_ - 128) >> 8; }
     // Does u gain exactly `step` with each lane? Its gains are the floor of the same number, or one more.
     HWY_INLINE bool is_even(int step) const {
-        return in_order_ && (step_ == step || step_ == step - 1) && last_ - first_ == step * (lane_count() - 1);
+        const int gain = step_ >> 8;
+        return is_in_order_ && (gain == step || gain == step - 1) && last_u_ - first_u_ == step * (lane_count() - 1);
     }
-    HWY_INLINE bool is_in_order() const { return in_order_; }
-    HWY_INLINE int first() const { return first_; }
-    HWY_INLINE int last() const { return last_; }
 
   private:
-    int step_, first_ = 0, last_ = 0;
-    bool in_order_ = false;
+    HWY_INLINE Way way(int width) const {
+        const int last = (last_u_ - 128) >> 8;
+        if (!is_in_order_ || first() < 0 || last + 1 >= width) return Way::Gather;
+        if (is_even(256)) return Way::Beside;
+#if HWY_TARGET != HWY_SCALAR
+        if (is_even(512)) return Way::Halved;
+        const int lanes = lane_count(), texels = last + 2 - first();
+        if (texels <= lanes && first() + lanes <= width) return Way::Window;
+        if (texels <= 2 * lanes && first() + 2 * lanes <= width) return Way::WideWindow;
+#endif
+        return Way::Gather;
+    }
+
+    std::int32_t start_, step_;
+    int first_u_, last_u_;
+    bool is_in_order_;
+    Way way_;
 };
 
 // (a + b + c + d + 2) >> 2: all four weights alike.
@@ -133,90 +149,77 @@ HWY_INLINE Pixels average_halved(const std::uint32_t* row0, const std::uint32_t*
 #endif
 }
 
-// The rows of texels that a vector of lanes reads, from its first one on; false if they reach over the border.
-struct TexelRows {
-    const std::uint32_t *row0, *row1;
-    int first, last;  // columns, less half a texel
-};
-HWY_INLINE bool find_rows(const SamplePlan::Level& level, const RowOfTexels& at, const Advance& advance,
-                          TexelRows& rows) {
-    const int first = (advance.first() - 128) >> 8, last = (advance.last() - 128) >> 8, j = (at.v - 128) >> 8;
-    if (!advance.is_in_order() || first < 0 || j < 0 || j + 1 >= level.height || last + 1 >= level.width) return false;
-    const std::uint32_t* const row = level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + first;
-    rows                           = {row, row + level.stride, first, last};
-    return true;
-}
-
-// By contiguous loads; false for steps that these do not serve.
-HWY_INLINE bool load_quad([[maybe_unused]] const SamplePlan::Level& level, [[maybe_unused]] const RowOfTexels& at,
-                          const Advance& advance, const TexelRows& rows, Quad& quad) {
-    if (advance.is_even(256)) {
-        const DU d;
-        quad = {hn::LoadU(d, rows.row0), hn::LoadU(d, rows.row0 + 1), hn::LoadU(d, rows.row1),
-                hn::LoadU(d, rows.row1 + 1)};
-        return true;
-    }
+// By contiguous loads, not to be asked of Way::Gather.
+HWY_INLINE Quad load_quad(const std::uint32_t* row0, const std::uint32_t* row1, const Columns& columns) {
+    const DU d;
 #if HWY_TARGET != HWY_SCALAR
-    if (advance.is_even(512)) {
-        quad = load_halved(rows.row0, rows.row1);
-        return true;
-    }
-    const int lanes = lane_count(), texels = rows.last + 2 - rows.first;
-    if (texels <= 2 * lanes && rows.first + (texels <= lanes ? 1 : 2) * lanes <= level.width) {
-        const VI from = hn::Sub(hn::ShiftRight<8>(hn::Sub(at.u(), seti(128))), seti(rows.first));
-        quad          = texels <= lanes ? look_up_window(rows.row0, rows.row1, from)
-                                        : look_up_wide_window(rows.row0, rows.row1, from);
-        return true;
+    const auto from = [&]() NIMBUS7_LAMBDA {
+        return hn::Sub(hn::ShiftRight<8>(hn::Sub(columns.u(), seti(128))), seti(columns.first()));
+    };
+    switch (columns.way()) {
+        case Columns::Way::Gather:
+        case Columns::Way::Beside:
+            break;
+        case Columns::Way::Halved:
+            return load_halved(row0, row1);
+        case Columns::Way::Window:
+            return look_up_window(row0, row1, from());
+        case Columns::Way::WideWindow:
+            return look_up_wide_window(row0, row1, from());
     }
 #endif
-    return false;
+    (void)columns;
+    return {hn::LoadU(d, row0), hn::LoadU(d, row0 + 1), hn::LoadU(d, row1), hn::LoadU(d, row1 + 1)};
 }
 
+// v: of the row, in 1/256 texel.
 template <class Texture>
-HWY_INLINE Pixels sample_linear_row(Texture program, const SamplePlan& plan, const RowOfTexels& at) {
+HWY_INLINE Pixels sample_linear_row(Texture program, const SamplePlan& plan, const Columns& columns, std::int32_t v) {
+    using Way                      = Columns::Way;
     const SamplePlan::Level& level = plan.levels[0];
-    const Advance advance(at);
-    TexelRows rows{};
-    if (program->alpha_quads || !find_rows(level, at, advance, rows))
-        return sample(program, plan, at.u(), seti(at.v), nullptr);
-    // Fractions of one half, and of quarters, along both axes.
-    const bool is_even    = advance.is_even(256) || advance.is_even(512),
-               is_single8 = program->rule == FilterRule::Single8;
-    const bool halves     = is_single8 && is_even && ((advance.first() | at.v) & 255) == 0;
-    const bool quarters   = is_single8 && is_even && ((advance.first() | at.v) & 63) == 0;
-    if (halves && advance.is_even(512)) return average_halved(rows.row0, rows.row1);
-    Quad quad;
-    if (!load_quad(level, at, advance, rows, quad)) return sample(program, plan, at.u(), seti(at.v), nullptr);
-    if (halves) return average(quad);
-    const VI half = seti(128), u = hn::Sub(at.u(), half), v = hn::Sub(seti(at.v), half);
-    if (quarters) return weigh_quarters(quad, u, v);
+    const int j                    = (v - 128) >> 8;
+    if (program->alpha_quads || columns.way() == Way::Gather || j < 0 || j + 1 >= level.height)
+        return sample(program, plan, columns.u(), seti(v), nullptr);
+    const std::uint32_t* const row0 = level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + columns.first();
+    const std::uint32_t* const row1 = row0 + level.stride;
+    if (program->rule == FilterRule::Single8 && (columns.way() == Way::Beside || columns.way() == Way::Halved)) {
+        // Fractions of one half, or of quarters, along both axes.
+        const int bits = columns.first_u() | v;
+        if ((bits & 255) == 0)
+            return columns.way() == Way::Halved ? average_halved(row0, row1) : average(load_quad(row0, row1, columns));
+        if ((bits & 63) == 0) {
+            const VI half = seti(128);
+            return weigh_quarters(load_quad(row0, row1, columns), hn::Sub(columns.u(), half), hn::Sub(seti(v), half));
+        }
+    }
+    const VI half = seti(128);
     return with_filter(program, [&](auto filter) NIMBUS7_LAMBDA {
         using Filter = decltype(filter);
         if constexpr (Filter::kLinear)
-            return Filter::weigh_quad(quad, u, v);
+            return Filter::weigh_quad(load_quad(row0, row1, columns), hn::Sub(columns.u(), half),
+                                      hn::Sub(seti(v), half));
         else
-            return unpack(quad.t00);  // not for such a program
+            return Pixels{set(0), set(0)};  // not for such a program
     });
 }
 
 template <class Texture>
-HWY_INLINE Pixels sample_point_row(Texture program, const SamplePlan& plan, const RowOfTexels& at) {
+HWY_INLINE Pixels sample_point_row(Texture program, const SamplePlan& plan, const Columns& columns, std::int32_t v) {
     const SamplePlan::Level& level = plan.levels[0];
-    const Advance advance(at);
-    const int i = advance.first() >> 8, j = at.v >> 8;
-    if (advance.is_even(256) && i >= 0 && i + lane_count() <= level.width && j >= 0 && j < level.height)
+    const int i = columns.first_u() >> 8, j = v >> 8;
+    if (columns.is_even(256) && i >= 0 && i + lane_count() <= level.width && j >= 0 && j < level.height)
         return unpack(hn::LoadU(DU(), level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + i));
-    return sample(program, plan, at.u(), seti(at.v), nullptr);
+    return sample(program, plan, columns.u(), seti(v), nullptr);
 }
 
 template <class Texture>
-HWY_INLINE Pixels sample_row(Texture program, const SamplePlan& plan, int lod, const RowOfTexels& at) {
+HWY_INLINE Pixels sample_row(Texture program, const SamplePlan& plan, const Columns& columns, std::int32_t v, int lod) {
     if (program->has_mips) {
         alignas(64) std::int32_t lods[kBlockWidth];
         hn::Store(seti(lod), DI(), lods);
-        return sample(program, plan, at.u(), seti(at.v), lods);
+        return sample(program, plan, columns.u(), seti(v), lods);
     }
-    return program->linear ? sample_linear_row(program, plan, at) : sample_point_row(program, plan, at);
+    return program->linear ? sample_linear_row(program, plan, columns, v) : sample_point_row(program, plan, columns, v);
 }
 
 // In 1/256 level, by raster/sampling_rules.h.
@@ -225,23 +228,36 @@ HWY_INLINE int rectangle_lod(const SetUpRectangle::Texture& texture, int lod_max
     return std::clamp((std::bit_cast<std::int32_t>(rho2) - std::bit_cast<std::int32_t>(1.0f)) >> 16, 0, lod_max);
 }
 
+// Where a vector of lanes reads one texture.
+struct RectangleTexture {
+    Columns columns;
+    int lod = 0;
+
+    HWY_INLINE RectangleTexture(const TextureProgram& program, const SamplePlan& plan,
+                                const SetUpRectangle::Texture& texture, int block, int lane)
+        : columns(start(texture, block, lane), read_plane<kRectangleDrop>(texture.u.step), plan.levels[0].width) {
+        if (program.has_mips) lod = rectangle_lod(texture, plan.lod_max);
+    }
+
+  private:
+    static HWY_INLINE std::int32_t start(const SetUpRectangle::Texture& texture, int block, int lane) {
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(read_plane<kRectangleDrop>(texture.u.at(block))) +
+                                         static_cast<std::uint32_t>(lane) *
+                                             static_cast<std::uint32_t>(read_plane<kRectangleDrop>(texture.u.step)));
+    }
+};
+
 // The colour of one vector of lanes in any row.
 template <class Program>
 class RectangleSource {
   public:
     HWY_INLINE RectangleSource(Program program, const FillPlan& plan, const SetUpRectangle& rectangle, int block,
                                int lane)
-        : program_(program), plan_(plan), rectangle_(rectangle) {
-        for (int i = 0; i < kMaxTextures; ++i) {
-            if (!program->textures[i].has_texels) continue;
-            const SetUpRectangle::Texture& texture = rectangle.textures[i];
-            step_[i]                               = read_plane<kRectangleDrop>(texture.u.step);
-            start_[i] =
-                static_cast<std::int32_t>(static_cast<std::uint32_t>(read_plane<kRectangleDrop>(texture.u.at(block))) +
-                                          static_cast<std::uint32_t>(lane) * static_cast<std::uint32_t>(step_[i]));
-            if (program->textures[i].has_mips) lod_[i] = rectangle_lod(texture, plan.samplers[i].lod_max);
-        }
-    }
+        : program_(program),
+          plan_(plan),
+          rectangle_(rectangle),
+          textures_{{program->textures[0], plan.samplers[0], rectangle.textures[0], block, lane},
+                    {program->textures[1], plan.samplers[1], rectangle.textures[1], block, lane}} {}
     HWY_INLINE void enter_row(int y) { y_ = y; }
 
     HWY_INLINE Pixels diffuse() const { return unpack(set(rectangle_.color)); }
@@ -249,16 +265,15 @@ class RectangleSource {
     template <int kStage>
     HWY_INLINE Pixels texel() const {
         const std::int32_t v = read_plane<kRectangleDrop>(rectangle_.textures[kStage].v.at(y_)) >> 8;
-        return sample_row(texture_of<kStage>(program_), plan_.samplers[kStage], lod_[kStage],
-                          {start_[kStage], step_[kStage], v});
+        return sample_row(texture_of<kStage>(program_), plan_.samplers[kStage], textures_[kStage].columns, v,
+                          textures_[kStage].lod);
     }
 
   private:
     Program program_;
     const FillPlan& plan_;
     const SetUpRectangle& rectangle_;
-    std::array<std::int32_t, kMaxTextures> start_{}, step_{};
-    std::array<int, kMaxTextures> lod_{};
+    RectangleTexture textures_[kMaxTextures];
     int y_ = 0;
 };
 

@@ -34,6 +34,6 @@ std::vector<FrameCase> cloud_cases();  // growth/spheres/*, growth/clouds/*
 std::vector<FrameCase> image_cases();  // downsample/*, blend/*
 
 inline constexpr int kFillWidth = 1920, kFillHeight = 1080, kFillLayers = 32;
-inline constexpr int kImageWidth = 480, kImageHeight = 270, kImageRounds = 16;
+inline constexpr int kImageWidth = 480, kImageHeight = 270, kImageRounds = 32;
 
 }  // namespace bench
