@@ -41,14 +41,14 @@ void choose_simd_target(const std::string& name) {
 struct DrawnFrame {
     int index;
     std::string path;
-    pipeline::ColorImage image;
+    int width = 0, height = 0;
     std::vector<PassStatistics> passes;
     double building_ms = 0.0, drawing_ms = 0.0;  // scene to frame; frame to picture, writing files not counted
 };
 
 DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int index, const std::string& path,
-                pipeline::Executor& executor) {
-    DrawnFrame drawn{.index = index, .path = path, .image = {}, .passes = {}};
+                pipeline::Executor& executor, pipeline::Execution& execution) {
+    DrawnFrame drawn{.index = index, .path = path, .passes = {}};
     const Clock::time_point start = Clock::now();
     const pipeline::Frame frame   = source.frame(options.size, index);
     drawn.building_ms             = milliseconds_since(start);
@@ -57,15 +57,25 @@ DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int ind
     if (options.passes_directory) {
         pictures.emplace(numbered_path(*options.passes_directory, index), frame.passes.size());
     }
-    Clock::time_point pass_start = Clock::now();
-    const auto observe           = [&](const pipeline::FinishedPass& pass) {
+    const Clock::time_point draw_start = Clock::now();
+    Clock::time_point pass_start       = draw_start;
+    const auto observe                 = [&](const pipeline::FinishedPass& pass) {
         drawn.passes.push_back({pass.pass.label, pass.counts, pass.kernels, milliseconds_since(pass_start)});
         if (pictures) pictures->add(pass);
         pass_start = Clock::now();
     };
-    drawn.image = executor.execute(frame, {.threads = options.threads}, observe).output;
-    for (const PassStatistics& pass : drawn.passes) drawn.drawing_ms += pass.milliseconds;
-    drawn.drawing_ms += milliseconds_since(pass_start);
+    // Observed, passes are drawn one by one, which takes longer.
+    const bool is_observed = pictures || options.statistics != StatisticsFormat::None;
+    executor.execute(frame, execution, {.threads = options.threads},
+                     is_observed ? pipeline::PassObserver(observe) : pipeline::PassObserver());
+    if (is_observed) {
+        for (const PassStatistics& pass : drawn.passes) drawn.drawing_ms += pass.milliseconds;
+        drawn.drawing_ms += milliseconds_since(pass_start);
+    } else {
+        drawn.drawing_ms = milliseconds_since(draw_start);
+    }
+    drawn.width  = execution.output.width;
+    drawn.height = execution.output.height;
     if (pictures) pictures->finish();
     return drawn;
 }
@@ -73,8 +83,7 @@ DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int ind
 void print_text(const DrawnFrame& frame, bool with_table) {
     char times[80];
     std::snprintf(times, sizeof times, "drawn in %.2f ms, frame built in %.2f ms", frame.drawing_ms, frame.building_ms);
-    print(frame.path + "  " + std::to_string(frame.image.width) + "x" + std::to_string(frame.image.height) + "  " +
-          times + "\n");
+    print(frame.path + "  " + std::to_string(frame.width) + "x" + std::to_string(frame.height) + "  " + times + "\n");
     if (with_table) print(to_table(frame.passes));
 }
 
@@ -82,8 +91,8 @@ nlohmann::ordered_json to_json(const DrawnFrame& frame) {
     nlohmann::ordered_json object;
     object["frame"]                 = frame.index;
     object["path"]                  = frame.path;
-    object["width"]                 = frame.image.width;
-    object["height"]                = frame.image.height;
+    object["width"]                 = frame.width;
+    object["height"]                = frame.height;
     object["building_milliseconds"] = frame.building_ms;
     object["drawing_milliseconds"]  = frame.drawing_ms;
     object["passes"]                = nlohmann::ordered_json::array();
@@ -120,10 +129,11 @@ void render(const RenderOptions& options) {
     report["frames"] = nlohmann::ordered_json::array();
     ProgressBar progress(frames.last - frames.first + 1);
     pipeline::Executor executor;
+    pipeline::Execution execution;
     double drawing_ms = 0.0;
     for (int index = frames.first; index <= frames.last; ++index) {
-        const DrawnFrame frame = draw(source, options, index, numbered_path(output, index), executor);
-        write_image(frame.path, frame.image, Channels::Rgb);
+        const DrawnFrame frame = draw(source, options, index, numbered_path(output, index), executor, execution);
+        write_image(frame.path, execution.output, Channels::Rgb);
         drawing_ms += frame.drawing_ms;
         progress.hide();
         if (reports_in_json) {

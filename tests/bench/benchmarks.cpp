@@ -30,12 +30,13 @@ struct Kept {
     std::string name;
     pipeline::Frame frame;
     pipeline::Executor executor;
+    pipeline::Execution execution;
 };
 Kept& kept_frame(const FrameCase& frame_case) {
     static std::unique_ptr<Kept> kept;
     if (!kept || kept->name != frame_case.name) {
         kept.reset();
-        kept.reset(new Kept{frame_case.name, frame_case.build(), {}});
+        kept.reset(new Kept{frame_case.name, frame_case.build(), {}, {}});
     }
     return *kept;
 }
@@ -65,7 +66,10 @@ double peak_memory_mb(const FrameCase& frame_case, int threads) {
 
 void time_nimbus7(benchmark::State& state, const FrameCase& frame_case, int threads) {
     Kept& kept      = kept_frame(frame_case);
-    const auto draw = [&] { benchmark::DoNotOptimize(kept.executor.execute(kept.frame, {.threads = threads})); };
+    const auto draw = [&] {
+        kept.executor.execute(kept.frame, kept.execution, {.threads = threads});
+        benchmark::DoNotOptimize(kept.execution.output.pixels.data());
+    };
     draw();
     for ([[maybe_unused]] auto _ : state) {
         const Clock::time_point start = Clock::now();
@@ -127,7 +131,8 @@ void add_thread_counts(int all_cores) {
 int print_peak_memory(const std::string& frame_case, int threads) {
     const pipeline::Frame frame = find_frame_case(frame_case).build();
     pipeline::Executor executor;
-    for (int i = 0; i < 3; ++i) executor.execute(frame, {.threads = threads});
+    pipeline::Execution execution;
+    for (int i = 0; i < 3; ++i) executor.execute(frame, execution, {.threads = threads});
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     std::printf("%.1f\n", static_cast<double>(usage.ru_maxrss) / 1024.0);
