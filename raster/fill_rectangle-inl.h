@@ -256,11 +256,12 @@ class RectangleSource {
         : program_(program),
           plan_(plan),
           rectangle_(rectangle),
+          diffuse_(unpack(set(rectangle.color))),
           textures_{{program->textures[0], plan.samplers[0], rectangle.textures[0], block, lane},
                     {program->textures[1], plan.samplers[1], rectangle.textures[1], block, lane}} {}
     HWY_INLINE void enter_row(int y) { y_ = y; }
 
-    HWY_INLINE Pixels diffuse() const { return unpack(set(rectangle_.color)); }
+    HWY_INLINE Pixels diffuse() const { return diffuse_; }
     HWY_INLINE Pixels specular() const { return unpack(set(Vertex{}.specular)); }
     template <int kStage>
     HWY_INLINE Pixels texel() const {
@@ -273,9 +274,17 @@ class RectangleSource {
     Program program_;
     const FillPlan& plan_;
     const SetUpRectangle& rectangle_;
+    Pixels diffuse_;
     RectangleTexture textures_[kMaxTextures];
     int y_ = 0;
 };
+
+template <class Program>
+HWY_INLINE Place first_place(Program program, const FillTarget& target, int block, int lane, int y) {
+    const int x = block + lane;
+    return {program->uses_color_target() ? target.color->row(y) + x : nullptr,
+            program->depth_bits != 0 ? target.depth->row(y) + x : nullptr, lane, y};
+}
 
 // Program: OneProgram or AnyProgram.
 template <class Program>
@@ -288,23 +297,24 @@ HWY_INLINE void fill_rectangle(Program program, const FillPlan& plan, const SetU
         static_cast<std::uint64_t>(bounds.x1 - bounds.x0) * static_cast<std::uint64_t>(bounds.y1 - bounds.y0);
     const VU depth      = set(program->depth_bits == 0 ? 0 : to_depth_format(rectangle.depth, program->depth_bits));
     const auto depth_at = [depth]() NIMBUS7_LAMBDA { return depth; };
+    const std::ptrdiff_t stride = (target.color ? target.color : target.depth)->stride();
 
     for (int block = bounds.x0 & -kBlockWidth; block < bounds.x1; block += kBlockWidth)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
             const unsigned bits = lanes_between(block, bounds.x0, bounds.x1) >> lane & all_lanes();
             if (bits == 0) continue;
             RectangleSource<Program> source(program, plan, rectangle, block, lane);
-            for (int y = bounds.y0; y < bounds.y1; ++y) {
-                const int x = block + lane;
-                const Place place{program->uses_color_target() ? target.color->row(y) + x : nullptr,
-                                  program->depth_bits != 0 ? target.depth->row(y) + x : nullptr, lane, y};
-                MU mask = mask_of(bits);
-                if (program->tests_first()) {
-                    mask = test_stored(program, place, depth_at, mask, mask, counter);
-                    if (!program->makes_color || hn::AllFalse(DU(), mask)) continue;
+            const MU covered = mask_of(bits);
+            Place place      = first_place(program, target, block, lane, bounds.y0);
+            for (; place.y < bounds.y1; ++place.y) {
+                MU mask = covered;
+                if (program->tests_first()) mask = test_stored(program, place, depth_at, mask, mask, counter);
+                if (program->makes_color && !(program->tests_first() && hn::AllFalse(DU(), mask))) {
+                    source.enter_row(place.y);
+                    finish(program, plan, place, depth_at, make_color(program, plan, source), mask, counter);
                 }
-                source.enter_row(y);
-                finish(program, plan, place, depth_at, make_color(program, plan, source), mask, counter);
+                if (program->uses_color_target()) place.color += stride;
+                if (program->depth_bits != 0) place.depth += stride;
             }
         }
     counter.add_to(counts, program, plan);
