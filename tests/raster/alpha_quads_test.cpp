@@ -50,7 +50,7 @@ TEST_CASE("a packed texture gives the texels of the plain one", "[raster][textur
                 for (int batch = 0; batch < 8; ++batch) {
                     fill_steps::SamplePoints& points = bench.points();
                     for (int i = 0; i < simd_kernels::kLanes; ++i) {
-                        const int reach = batch == 0 ? 1 << 30 : 256 * size + 512;
+                        const int reach = batch == 0 ? 1 << 29 : 256 * size + 512;
                         points.u[i]     = random.from(-reach, reach);
                         points.v[i]     = random.from(-reach, reach);
                         points.lod[i]   = random.from(0, lod_max);
