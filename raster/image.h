@@ -16,7 +16,6 @@ class Image {
   public:
     Image() = default;
     Image(int width, int height);  // all zeros
-    void clear();                  // back to all zeros
 
     int width() const { return width_; }
     int height() const { return height_; }

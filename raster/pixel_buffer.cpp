@@ -12,7 +12,7 @@ constexpr std::size_t kLine = 64, kHugePage = std::size_t{1} << 21;
 
 }  // namespace
 
-PixelBuffer::PixelBuffer(std::size_t count) : size_(count) {
+PixelBuffer::PixelBuffer(std::size_t count) {
     const std::size_t bytes = count * sizeof(std::uint32_t);
     const std::align_val_t alignment{bytes >= kHugePage ? kHugePage : kLine};
     pixels_ = {static_cast<std::uint32_t*>(::operator new[](bytes, alignment)), Free{alignment}};

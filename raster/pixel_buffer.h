@@ -17,7 +17,6 @@ class PixelBuffer {
 
     std::uint32_t* data() { return pixels_.get(); }
     const std::uint32_t* data() const { return pixels_.get(); }
-    std::size_t size() const { return size_; }
 
   private:
     struct Free {
@@ -25,7 +24,6 @@ class PixelBuffer {
         void operator()(std::uint32_t* pixels) const { ::operator delete[](pixels, alignment); }
     };
     std::unique_ptr<std::uint32_t[], Free> pixels_{nullptr, Free{}};
-    std::size_t size_ = 0;
 };
 
 }  // namespace raster

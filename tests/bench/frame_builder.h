@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: MIT
-// What the frames built here have in common: a colour target that is the output, a depth target if one is asked for,
-// one pass that draws to both, and a texture of reproducible noise.
+// What the frames built here have in common: one pass, cleared, and a texture of reproducible noise.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "pipeline/frame/frame.h"
+#include "tests/support/one_pass_frame.h"
 
 namespace bench {
 
-// Positions are clip coordinates with w = 1 until the camera is given a projection.
+// A grey, far picture to draw on.
 inline pipeline::Frame one_pass_frame(int width, int height, std::optional<pipeline::TargetFormat> depth = {}) {
-    pipeline::Frame frame;
-    frame.output = {0};
-    frame.targets.push_back({.name = "color", .width = width, .height = height});
-    if (depth) frame.targets.push_back({.name = "depth", .format = *depth, .width = width, .height = height});
-    frame.cameras.resize(1);
-    pipeline::Pass& pass = frame.passes.emplace_back();
-    pass.label           = "pass";
-    pass.color           = {0};
-    if (depth) pass.depth = {1};
-    pass.camera      = {0};
-    pass.clear.color = pipeline::Argb{0xff808080};
+    pipeline::Frame frame = test_support::one_pass_frame(width, height, depth);
+    pipeline::Pass& pass  = frame.passes[0];
+    pass.label            = "pass";
+    pass.clear.color      = pipeline::Argb{0xff808080};
     if (depth) pass.clear.depth = 1.0f;
     return frame;
 }

@@ -11,22 +11,12 @@
 
 #include "pipeline/execute/execute.h"
 #include "tests/support/frame_agreement.h"
+#include "tests/support/one_pass_frame.h"
 
 namespace test_support {
 
-// Target 0 is the colour target and the output, target 1 the depth target if there is one. One pass draws to both. Its
-// camera takes positions as clip coordinates with w = 1.
 inline pipeline::Frame small_frame(int width, int height, std::optional<pipeline::TargetFormat> depth = {}) {
-    pipeline::Frame frame;
-    frame.output = {0};
-    frame.targets.push_back({.name = "color", .width = width, .height = height});
-    if (depth) frame.targets.push_back({.name = "depth", .format = *depth, .width = width, .height = height});
-    frame.cameras.resize(1);
-    pipeline::Pass& pass = frame.passes.emplace_back();
-    pass.color           = {0};
-    if (depth) pass.depth = {1};
-    pass.camera = {0};
-    return frame;
+    return one_pass_frame(width, height, depth);
 }
 
 inline pipeline::DrawRectangle rectangle(const pipeline::PixelRect& pixels, std::uint32_t color, float depth = 0.0f) {
