@@ -3,9 +3,12 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
+
+#include "cloud/bounds.h"
 
 namespace cloud {
 namespace {
@@ -37,10 +40,23 @@ void check(const Cloud& cloud) {
         require(p.radius >= 1e-3f && p.radius <= 1e5f, cloud, "a particle's radius must be 0.001 to 1e5 m");
         require(p.alpha >= 0.0f && p.alpha <= 1.0f, cloud, "a particle's alpha must be 0 to 1");
         require(within_reach({p.color.x, p.color.y, p.color.z}), cloud, "a particle's colour must be finite");
+        require(within_reach({p.glow.x, p.glow.y, p.glow.z}), cloud, "a particle's glow must be finite");
+        const float volume = glm::determinant(p.shape);
+        require(volume > 1e-6f && greatest_radius(p) <= 1e3f * p.radius, cloud,
+                "a particle's shape must stretch at most a thousandfold, and its determinant be above 0");
     }
     require(cloud.base_y == cloud.base_y && cloud.base_y <= 1e6f, cloud, "base_y must be a number below 1e6 m");
     require(cloud.blur_m >= 0.0f && cloud.blur_m <= 1e5f, cloud, "blur_m must be 0 to 1e5 m");
     require(cloud.opacity >= 0.0f && cloud.opacity <= 1.0f, cloud, "opacity must be 0 to 1");
+    require(cloud.dissolve >= 0.0f && cloud.dissolve <= 1.0f, cloud, "dissolve must be 0 to 1");
+    require(cloud.displacement >= 0.0f && cloud.displacement <= 10.0f, cloud, "displacement must be 0 to 10");
+    for (const InnerLight& light : cloud.lights) {
+        require(within_reach({light.center.x, light.center.y, light.center.z}), cloud, "a light must be within 1e6 m");
+        require(within_reach({light.color.x, light.color.y, light.color.z}), cloud, "a light's colour must be finite");
+        require(light.range > 0.0f && light.range <= 1e6f, cloud, "a light's range must be above 0, up to 1e6 m");
+    }
+    for (const std::optional<Turn>& turn : {cloud.box_turn, cloud.second_box_turn})
+        require(!turn || std::abs(glm::dot(*turn, *turn) - 1.0f) < 1e-3f, cloud, "a turn must be of length 1");
     require(cloud.absorption >= 0.0f && cloud.absorption <= 1e3f, cloud, "absorption must be 0 to 1000");
     require(cloud.lumpiness >= 0.0f && cloud.lumpiness <= 0.5f, cloud, "lumpiness must be 0 to 0.5");
     const Fractal& f = cloud.fractal;
@@ -53,14 +69,31 @@ void check(const Cloud& cloud) {
 
 }  // namespace
 
+Box fractal_box(const Cloud& cloud, const LitParticles& lit) {
+    Box box = cloud.box.value_or(Box{lit.low, lit.high});
+    if (cloud.box_turn || cloud.second_box_turn) {
+        const Vec3 middle = (box.low + box.high) * 0.5f, half = box.high - middle;
+        const float round = std::sqrt(half.x * half.x + half.z * half.z);
+        box.low.x = middle.x - round, box.low.z = middle.z - round;
+        box.high.x = middle.x + round, box.high.z = middle.z + round;
+    }
+    return box;
+}
+
 BakedCloud bake(const Cloud& cloud, const Daylight& daylight) {
+    BakedCloud baked = bake(cloud, daylight, {});
+    if (cloud.particles.empty() && !cloud.box) return baked;
+    const Box box = fractal_box(cloud, baked.lit);
+    baked.fractal = std::make_shared<FractalFaces>(
+        make_fractal(cloud.fractal, box.high - box.low,
+                     cloud.mode == Mode::Skirt ? FractalCode::Half : FractalCode::Factor));
+    return baked;
+}
+
+BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const BakedCloud& before) {
     check(cloud);
     check(daylight);
-    BakedCloud baked{cloud, daylight, light_particles(cloud, daylight), {}};
-    if (!cloud.particles.empty())
-        baked.fractal = make_fractal(cloud.fractal, baked.lit.high - baked.lit.low,
-                                     cloud.mode == Mode::Article ? FractalCode::Factor : FractalCode::Half);
-    return baked;
+    return {cloud, daylight, light_particles(cloud, daylight), before.fractal};
 }
 
 }  // namespace cloud

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <utility>
@@ -41,8 +42,20 @@ float near_reach_m(const View& view) {
     return view.near_m * std::sqrt(1.0f + x * x + y * y);
 }
 
+float greatest_radius(const Particle& particle) {
+    // The greatest stretch of a matrix is at most sqrt(|M|_1 |M|_inf), and exactly that if it only scales along axes.
+    float columns = 0.0f, rows = 0.0f;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 column = glm::abs(particle.shape[i]);
+        const Vec3 row    = glm::abs(Vec3(particle.shape[0][i], particle.shape[1][i], particle.shape[2][i]));
+        columns           = std::max(columns, column.x + column.y + column.z);
+        rows              = std::max(rows, row.x + row.y + row.z);
+    }
+    return particle.radius * std::sqrt(columns * rows);
+}
+
 Sphere bounding_sphere(const Particle& particle, const Cloud& cloud) {
-    Sphere sphere{particle.center, particle.radius * (1.0f + std::max(cloud.lumpiness, 0.0f))};
+    Sphere sphere{particle.center, greatest_radius(particle) * (1.0f + std::max(cloud.lumpiness, 0.0f))};
     // A point (rho, y) of the sphere that is squashed stays inside if the centre is above the base. Otherwise, with
     // d = base - centre, h^2 = r^2 - rho^2: rho^2 + (0.15 (d + h))^2 <= r^2 + 0.045 d^2 around the point of the base
     // above it.

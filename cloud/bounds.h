@@ -16,6 +16,9 @@ float focal_px(const View& view);
 // The greatest distance from the eye at which the near plane still cuts into the picture: that of its corners.
 float near_reach_m(const View& view);
 
+// The radius of a sphere around the particle's ellipsoid.
+float greatest_radius(const Particle& particle);
+
 // A sphere around all of a particle, lumps and squashed base included.
 struct Sphere {
     Vec3 center  = Vec3(0.0f);

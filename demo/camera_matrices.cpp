@@ -34,13 +34,18 @@ Mat4 perspective(double vfov_deg, double aspect, double near_m, double far_m) {
     return Mat4(projection);
 }
 
-Vec3 eye_at(const CameraPath& camera, int index) {
+Vec3 eye_at(const CameraPath& camera, int index, double seconds) {
+    if (!camera.position_path.empty()) return camera.position_path.smooth(seconds);
     const int step     = index % camera.orbit_frames;
     const double swing = radians(camera.orbit_deg) * sine(2.0 * kPi * step / camera.orbit_frames);
     const glm::dvec3 offset(camera.position - camera.target);
     const double c = cosine(swing), s = sine(swing);
     const glm::dvec3 turned(c * offset.x + s * offset.z, offset.y, c * offset.z - s * offset.x);
     return Vec3(glm::dvec3(camera.target) + turned);
+}
+
+Vec3 target_at(const CameraPath& camera, double seconds) {
+    return camera.target_path.empty() ? camera.target : camera.target_path.smooth(seconds);
 }
 
 }  // namespace demo

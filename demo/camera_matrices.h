@@ -14,8 +14,9 @@ Mat4 look_at(const Vec3& eye, const Vec3& target);
 // aspect: width over height.
 Mat4 perspective(double vfov_deg, double aspect, double near_m, double far_m);
 
-// Where the camera of frame `index` stands: it swings about the target's vertical through +-orbit_deg as a sine, from
-// the middle.
-Vec3 eye_at(const CameraPath& camera, int index);
+// Where the camera of frame `index`, `seconds` into the animation, stands and looks: on its path, or, without one, it
+// swings about the target's vertical through +-orbit_deg as a sine, from the middle.
+Vec3 eye_at(const CameraPath& camera, int index, double seconds);
+Vec3 target_at(const CameraPath& camera, double seconds);
 
 }  // namespace demo

@@ -43,4 +43,8 @@ Size default_size(const Scene& scene) {
     return scene.description.size;
 }
 
+int frame_count(const Scene& scene) {
+    return scene.description.frames;
+}
+
 }  // namespace demo

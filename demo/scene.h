@@ -4,11 +4,14 @@
 // "scenes/x.toml:12:8: cloud.blur must be >= 0 (got -3)".
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "cloud/cloud.h"
 #include "pipeline/frame/frame.h"
 
 namespace demo {
@@ -33,7 +36,24 @@ struct Size {
 };
 Size default_size(const Scene& scene);
 
+// The number of frames of the scene's animation.
+int frame_count(const Scene& scene);
+
+// How clouds are drawn: as the scene says, or by one of the two techniques that the article compares itself with.
+enum class Technique : std::uint8_t { MegaParticles, Sprites, Slices };
+
+// What a picture of the scene is changed in, for comparisons and measurements.
+struct FrameOptions {
+    Technique technique = Technique::MegaParticles;
+    std::optional<cloud::Mode> mode;          // of all clouds
+    std::optional<cloud::Order> order;        // of all clouds; OrderFree draws them after all else
+    std::optional<pipeline::Vec3> flat_scene;  // all but the clouds in one colour; depth as it was
+    bool has_clouds = true, has_detail = true;
+    std::optional<std::size_t> only_cloud;  // of the scene's, counted from 0
+    pipeline::Vec2 shift_px = pipeline::Vec2(0.0f);  // of the picture: the projection's middle moves
+};
+
 // Frame `index` of the scene's animation (0 is the still picture) at the given size.
-pipeline::Frame scene_frame(const Scene& scene, Size size, int index);
+pipeline::Frame scene_frame(const Scene& scene, Size size, int index, const FrameOptions& options = {});
 
 }  // namespace demo

@@ -4,7 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "cloud/generate.h"
+#include "demo/cloud_motion.h"
+#include "demo/gltf_mesh.h"
+#include "demo/gltf_particles.h"
 #include "demo/noise.h"
 #include "demo/sky.h"
 #include "demo/solids.h"
@@ -15,32 +17,20 @@
 namespace demo {
 namespace {
 
-cloud::Cloud grow_cloud(const CloudPlan& plan) {
-    std::vector<cloud::Particle> cores;
-    for (const CloudPlan::Core& core : plan.cores)
-        cores.push_back({.center     = plan.position + plan.scale * core.center,
-                         .radius     = plan.scale * core.radius,
-                         .color      = plan.color,
-                         .alpha      = 1.0f,
-                         .generation = 0});
-    cloud::Growth growth;
-    growth.crown.count = plan.crown;
-    growth.rim.count   = plan.rim;
-    growth.jitter      = plan.jitter;
-    growth.seed        = plan.seed;
-
-    cloud::Cloud cloud = plan.settings;
-    cloud.particles    = cloud::grow(cores, growth);
-    cloud.base_y       = plan.position.y + plan.scale * cloud.base_y;
-    cloud.blur_m *= plan.scale;
-    return cloud;
-}
-
 // Share of sky light at a solid's vertex: less near the ground, and what its own shape leaves.
 float sky_share(const SolidVertex& vertex, const HeightField* terrain) {
     if (terrain == nullptr) return vertex.open_sky;
     const float height = vertex.position.y - terrain->height_at(vertex.position.x, vertex.position.z);
     return vertex.open_sky * (0.6f + 0.4f * smooth_step(0.0f, 25.0f, height));
+}
+
+pipeline::Argb solid_color(Vec3 color, Vec3 position, Vec3 normal, float open_sky, const Surroundings& around,
+                           const cloud::Daylight& light) {
+    // Off the surface, so that the search for shadows does not start inside.
+    const Vec3 start = position + 0.5f * normal;
+    const float sun  = sun_past_solids(around, start, light.to_sun) * sun_past_clouds(around, start, light.to_sun);
+    return to_argb(color * light_of_day(light, normal, sun * (0.5f + 0.5f * open_sky),
+                                        sky_share({position, normal, {}, open_sky}, around.terrain)));
 }
 
 TexturedRange append_solid(SceneGeometry& geometry, const Solid& solid, const Surroundings& around,
@@ -51,37 +41,59 @@ TexturedRange append_solid(SceneGeometry& geometry, const Solid& solid, const Su
     const SolidMesh mesh   = solid_mesh(solid);
     const auto first       = static_cast<std::uint32_t>(geometry.vertices.size());
     const auto first_index = static_cast<std::uint32_t>(geometry.indices.size());
-    for (const SolidVertex& from : mesh.vertices) {
-        // Off the surface, so that the search for shadows does not start inside.
-        const Vec3 start = from.position + 0.5f * from.normal;
-        const float sun  = sun_past_solids(around, start, light.to_sun) * sun_past_clouds(around, start, light.to_sun);
-        pipeline::Vertex vertex;
-        vertex.position = from.position;
-        vertex.normal   = from.normal;
-        vertex.diffuse  = to_argb(solid.color * light_of_day(light, from.normal, sun * (0.5f + 0.5f * from.open_sky),
-                                                             sky_share(from, around.terrain)));
-        vertex.uv0      = from.uv_m / tile_m;
-        geometry.vertices.push_back(vertex);
-    }
+    for (const SolidVertex& from : mesh.vertices)
+        geometry.vertices.push_back(
+            {.position = from.position,
+             .normal   = from.normal,
+             .diffuse  = solid_color(solid.color, from.position, from.normal, from.open_sky, around, light),
+             .uv0      = from.uv_m / tile_m});
     for (const std::uint32_t index : mesh.indices) geometry.indices.push_back(first + index);
     return {first_index, static_cast<std::uint32_t>(mesh.indices.size()), texture};
+}
+
+std::vector<TexturedRange> append_mesh(SceneGeometry& geometry, const SceneMesh& mesh, const Surroundings& around,
+                                       const cloud::Daylight& light) {
+    GltfMesh read           = read_gltf_mesh(mesh.file);
+    const int first_texture = static_cast<int>(geometry.textures.size());
+    for (pipeline::Texture& texture : read.textures) geometry.textures.push_back(std::move(texture));
+    std::vector<TexturedRange> ranges;
+    for (const GltfPart& part : read.parts) {
+        const auto first       = static_cast<std::uint32_t>(geometry.vertices.size());
+        const auto first_index = static_cast<std::uint32_t>(geometry.indices.size());
+        for (const GltfVertex& from : part.vertices) {
+            const Vec3 position = mesh.position + mesh.scale * from.position;
+            geometry.vertices.push_back({.position = position,
+                                         .normal   = from.normal,
+                                         .diffuse = solid_color(from.color, position, from.normal, 1.0f, around, light),
+                                         .uv0     = from.uv});
+        }
+        for (const std::uint32_t index : part.indices) geometry.indices.push_back(first + index);
+        ranges.push_back({first_index, static_cast<std::uint32_t>(part.indices.size()),
+                          part.texture < 0 ? -1 : first_texture + part.texture});
+    }
+    return ranges;
+}
+
+SceneCloud build_cloud(const CloudPlan& plan, const cloud::Daylight& light, double last_s) {
+    SceneCloud cloud{.plan = plan, .grown = grow_cloud(plan), .file = {}, .baked = {}};
+    if (plan.particle_file) cloud.file = std::make_shared<const ParticleFile>(*plan.particle_file);
+    if (reshapes(plan)) cloud.grown.box = box_over_time(cloud, last_s);
+    cloud.baked = cloud::bake(cloud_at(cloud, 0.0), light);
+    return cloud;
 }
 
 }  // namespace
 
 Scene build_scene(SceneDescription description) {
     Scene scene;
-    std::vector<cloud::Cloud> clouds;
-    for (const CloudPlan& plan : description.clouds) {
-        clouds.push_back(grow_cloud(plan));
-        scene.clouds.push_back(cloud::bake(clouds.back(), description.light));
-    }
+    const double last_s = (description.frames - 1) / description.fps;
+    for (const CloudPlan& plan : description.clouds) scene.clouds.push_back(build_cloud(plan, description.light, last_s));
 
     std::optional<HeightField> field;
     if (description.terrain) field.emplace(terrain_heights(*description.terrain));
 
     Surroundings around{.terrain = field ? &*field : nullptr, .columns = {}, .clouds = {}};
-    for (const cloud::Cloud& cloud : clouds) around.clouds.emplace_back(cloud);
+    for (const SceneCloud& cloud : scene.clouds) around.clouds.emplace_back(cloud.baked.cloud);
     for (const Solid& solid : description.solids)
         for (const ShadowColumn& column : shadow_columns(solid)) around.columns.push_back(column);
 
@@ -98,8 +110,11 @@ Scene build_scene(SceneDescription description) {
                 for (const ShadowColumn& column : shadow_columns(description.solids[j]))
                     others.columns.push_back(column);
         (solid.front ? geometry.solids_in_front : geometry.solids_behind)
-            .push_back(append_solid(geometry, solid, others, description.light));
+            .push_back({append_solid(geometry, solid, others, description.light), solid.velocity});
     }
+    for (const SceneMesh& mesh : description.meshes)
+        for (const TexturedRange& range : append_mesh(geometry, mesh, around, description.light))
+            (mesh.front ? geometry.solids_in_front : geometry.solids_behind).push_back({range});
     scene.description = std::move(description);
     return scene;
 }

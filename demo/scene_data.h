@@ -9,21 +9,22 @@
 #include <vector>
 
 #include "cloud/bake.h"
+#include "demo/cloud_plan.h"
+#include "demo/file_reference.h"
 #include "demo/scene.h"
 #include "demo/terrain_blocks.h"
+#include "demo/track.h"
 
 namespace demo {
+
+class ParticleFile;  // gltf_particles.h
 
 inline constexpr int kMaxOutputSize        = 8192;
 inline constexpr int kMaxClouds            = 64;
 inline constexpr int kMaxParticlesPerCloud = 2000;
 inline constexpr int kMaxSolids            = 256;
-
-// A file that the scene names: where it is, and where it is named ("scenes/x.toml:12:8: terrain.height_map") for
-// complaints.
-struct FileReference {
-    std::string path, named_at;
-};
+inline constexpr int kMaxMeshes            = 64;
+inline constexpr int kMaxKeys              = 1000;
 
 // A picture that covers a surface: none, one of ours, or a file's.
 struct SurfaceTexture {
@@ -32,6 +33,7 @@ struct SurfaceTexture {
 };
 
 // Looks from position at target; swings about target's vertical by +-orbit_deg in orbit_frames frames, from the middle.
+// With a path both move as it says.
 struct CameraPath {
     Vec3 position    = Vec3(0.0f, 20.0f, 120.0f);
     Vec3 target      = Vec3(0.0f, 20.0f, 0.0f);
@@ -40,6 +42,7 @@ struct CameraPath {
     double far_m     = 2000.0;
     double orbit_deg = 0.0;
     int orbit_frames = 1;
+    Track<Vec3> position_path, target_path;
 };
 
 struct Sky {
@@ -73,37 +76,44 @@ struct Solid {
     Vec3 from = Vec3(0.0f), to = Vec3(1.0f);
     float radius = 1.0f, top_radius = 1.0f;  // cylinder
     bool front             = false;
+    Vec3 velocity          = Vec3(0.0f);  // metres a second; its light stays as it was
     SurfaceTexture texture = {};
     std::optional<float> tile_m;
     Vec3 color         = Vec3(1.0f);
     std::uint32_t seed = 1;  // spire
 };
 
-// settings without particles; they grow on the cores, which are given around the cloud's position.
-struct CloudPlan {
-    struct Core {
-        Vec3 center;
-        float radius;
-    };
-    cloud::Cloud settings;
-    std::vector<Core> cores;
+// Geometry from a glTF file, placed and lit like a solid.
+struct SceneMesh {
+    FileReference file;
     Vec3 position = Vec3(0.0f);
     float scale   = 1.0f;
-    Vec3 color    = Vec3(1.0f);
-    int crown = 0, rim = 0;     // particles to grow
-    float jitter       = 0.0f;  // of their places and sizes
-    std::uint32_t seed = 1;     // of the jitter
+    bool front    = false;
+};
+
+// Light and sky over time; what is empty stays as it is.
+struct WeatherPath {
+    Track<Vec3> to_sun, sun, sky, bounce;  // Daylight
+    Track<Vec3> zenith, horizon, glow;     // Sky
+    bool empty() const {
+        return to_sun.empty() && sun.empty() && sky.empty() && bounce.empty() && zenith.empty() && horizon.empty() &&
+               glow.empty();
+    }
 };
 
 struct SceneDescription {
     std::string name, summary;
-    Size size = {1280, 720};
+    Size size  = {1280, 720};
+    int frames = 1;  // of the whole animation
+    double fps = 30.0;
     CameraPath camera;
     cloud::Daylight light;
     Sky sky;
     Fog fog;
     std::optional<Terrain> terrain;
+    WeatherPath weather;
     std::vector<Solid> solids;
+    std::vector<SceneMesh> meshes;
     std::vector<CloudPlan> clouds;
 };
 
@@ -113,19 +123,32 @@ struct TexturedRange {
     int texture = -1;
 };
 
-// All that stands still, lit: vertex colours hold the light.
+struct MovingRange {
+    TexturedRange range;
+    Vec3 velocity = Vec3(0.0f);
+};
+
+// All but the clouds, lit: vertex colours hold the light.
 struct SceneGeometry {
     std::vector<pipeline::Texture> textures;
     std::vector<pipeline::Vertex> vertices;
     std::vector<std::uint32_t> indices;
     TexturedRange sky;  // a unit dome around the eye
     TerrainBlocks terrain;
-    std::vector<TexturedRange> solids_behind, solids_in_front;
+    std::vector<MovingRange> solids_behind, solids_in_front;
+};
+
+// grown: as the plan says, before anything moves; particles that stream or come from a file are not in it. baked: at the start of the animation.
+struct SceneCloud {
+    CloudPlan plan;
+    cloud::Cloud grown;
+    std::shared_ptr<const ParticleFile> file;
+    cloud::BakedCloud baked;
 };
 
 struct Scene {
     SceneDescription description;
-    std::vector<cloud::BakedCloud> clouds;
+    std::vector<SceneCloud> clouds;
     SceneGeometry geometry;
 };
 

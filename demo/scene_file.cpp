@@ -7,17 +7,38 @@
 #include <fstream>
 #include <sstream>
 
+#include "demo/scene_file_cloud.h"
 #include "demo/toml_reader.h"
 
 namespace demo {
 namespace {
 
 constexpr std::uintmax_t kMaxFileBytes = 4u << 20;
-constexpr Range kLight{0.0, 4.0};
 
 void read_output(TableReader reader, SceneDescription& scene) {
     reader.read("size", scene.size, 1, kMaxOutputSize);
+    reader.read("frames", scene.frames, 1, 1000000);
+    reader.read("fps", scene.fps, {0.01, 1000.0});
     reader.finish("[output]");
+}
+
+void read_camera_path(TableReader& reader, CameraPath& camera) {
+    const auto rows = reader.read_rows("path", 7, kMaxKeys);
+    double last_s   = -1.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto& row     = rows[i];
+        const auto point_at = [&](std::size_t first) {
+            return Vec3(static_cast<float>(row[first]), static_cast<float>(row[first + 1]),
+                        static_cast<float>(row[first + 2]));
+        };
+        if (row[0] <= last_s) reader.fail_at_row("path", i, "must have rising times, from 0 seconds on");
+        last_s = row[0];
+        camera.position_path.add(row[0], point_at(1));
+        camera.target_path.add(row[0], point_at(4));
+    }
+    if (rows.empty()) return;
+    camera.position = camera.position_path.smooth(0.0);
+    camera.target   = camera.target_path.smooth(0.0);
 }
 
 void read_camera(TableReader reader, CameraPath& camera) {
@@ -32,6 +53,7 @@ void read_camera(TableReader reader, CameraPath& camera) {
         orbit->read("frames", camera.orbit_frames, 1, 1000000);
         orbit->finish("[camera.orbit]");
     }
+    read_camera_path(reader, camera);
     reader.finish("[camera]");
     const Vec3 ahead       = camera.target - camera.position;
     const float level      = ahead.x * ahead.x + ahead.z * ahead.z;
@@ -127,6 +149,7 @@ Solid read_solid(TableReader reader) {
     }
     if (solid.kind == Kind::Spire) reader.read("seed", solid.seed);
     reader.read("front", solid.front);
+    reader.read("velocity", solid.velocity, kCoordinate);
     read_texture(reader, "texture", solid.texture);
     reader.read("tile", solid.tile_m, {0.01, 1e5});
     reader.read("color", solid.color, kShare);
@@ -134,61 +157,30 @@ Solid read_solid(TableReader reader) {
     return solid;
 }
 
-void read_fractal(TableReader reader, cloud::Fractal& fractal) {
-    reader.read("size", fractal.face_size, 1, 1024);
-    if ((fractal.face_size & (fractal.face_size - 1)) != 0) reader.fail("size", "must be a power of two");
-    reader.read("octaves", fractal.octaves, 1, 12);
-    reader.read("gain", fractal.gain, kShare);
-    reader.read("cycles", fractal.cycles, {0.0, 1024.0, true});
-    reader.read("seed", fractal.seed);
-    if (const auto noise = reader.read_choice("noise", {"fbm", "billow"}))
-        fractal.noise = *noise == 0 ? cloud::Noise::Fbm : cloud::Noise::Billow;
-    reader.finish("[cloud.fractal]");
+void read_weather(TableReader reader, double& last_s, WeatherPath& weather) {
+    const double at = read_time(reader, last_s, weather.empty());
+    const auto read = [&](const char* key, Track<Vec3>& track, Range range) {
+        Vec3 value;
+        if (reader.read(key, value, range)) track.add(at, value);
+    };
+    read("to_sun", weather.to_sun, kCoordinate);
+    read("sun", weather.sun, kLight);
+    read("sky", weather.sky, kLight);
+    read("bounce", weather.bounce, kLight);
+    read("zenith", weather.zenith, kShare);
+    read("horizon", weather.horizon, kShare);
+    read("glow", weather.glow, kShare);
+    reader.finish("[[weather]]");
 }
 
-CloudPlan read_cloud(TableReader reader) {
-    CloudPlan plan;
-    cloud::Cloud& cloud = plan.settings;
-    reader.read("name", cloud.name);
-    if (const auto mode = reader.read_choice("mode", {"skirt", "article"}))
-        cloud.mode = *mode == 0 ? cloud::Mode::Skirt : cloud::Mode::Article;
-    reader.read("position", plan.position, kCoordinate);
-    reader.read("scale", plan.scale, {0.001, 1000.0});
-    reader.read("color", plan.color, kShare);
-    const auto rows = reader.read_rows("cores", 4, kMaxParticlesPerCloud);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto& row = rows[i];
-        if (row[3] < 0.01) reader.fail_at_row("cores", i, "must have radii >= 0.01, each [x, y, z, radius]");
-        plan.cores.push_back({Vec3(static_cast<float>(row[0]), static_cast<float>(row[1]), static_cast<float>(row[2])),
-                              static_cast<float>(row[3])});
-    }
-    if (plan.cores.empty()) reader.fail("cores", "must hold one core or more, each [x, y, z, radius]");
-    reader.read("crown", plan.crown, 0, kMaxParticlesPerCloud);
-    reader.read("rim", plan.rim, 0, kMaxParticlesPerCloud);
-    const int particles = static_cast<int>(plan.cores.size()) + plan.crown + plan.rim;
-    if (particles > kMaxParticlesPerCloud)
-        reader.fail("cores", "with crown and rim must come to at most " + std::to_string(kMaxParticlesPerCloud) +
-                                 " particles (got " + std::to_string(particles) + ")");
-    reader.read("jitter", plan.jitter, {0.0, 0.25});
-    reader.read("seed", plan.seed);
-    reader.read("base_y", cloud.base_y, kCoordinate);
-    reader.read("blur", cloud.blur_m, {0.0, 1000.0});
-    reader.read("opacity", cloud.opacity, kShare);
-    reader.read("absorption", cloud.absorption, {0.0, 100.0});
-    reader.read("lumpiness", cloud.lumpiness, {0.0, 0.5});
-    // What remains once all is placed and scaled must be of a size that floats and the cloud's meshes bear.
-    for (std::size_t i = 0; i < plan.cores.size(); ++i) {
-        const Vec3 center  = glm::abs(plan.position + plan.scale * plan.cores[i].center);
-        const float radius = plan.scale * plan.cores[i].radius;
-        if (std::max({center.x, center.y, center.z}) > 5e5f || radius < 0.02f || radius > 1e5f)
-            reader.fail_at_row(
-                "cores", i,
-                "must lie within 500 km of the origin, with a radius of 0.02 to 1e5, once placed and scaled");
-    }
-    if (cloud.blur_m * plan.scale > 1e5f) reader.fail("blur", "must be <= 1e5 once scaled");
-    if (auto fractal = reader.table("fractal")) read_fractal(*fractal, cloud.fractal);
-    reader.finish("[[cloud]]");
-    return plan;
+SceneMesh read_mesh(TableReader reader) {
+    SceneMesh mesh;
+    if (!reader.read("file", mesh.file)) reader.fail("file", "is missing: a .glb or .gltf file");
+    reader.read("position", mesh.position, kCoordinate);
+    reader.read("scale", mesh.scale, {0.001, 1000.0});
+    reader.read("front", mesh.front);
+    reader.finish("[[mesh]]");
+    return mesh;
 }
 
 }  // namespace
@@ -213,6 +205,10 @@ SceneDescription parse_scene(std::string_view text, const std::string& file, con
     if (auto table = reader.table("fog")) read_fog(*table, scene.fog);
     if (auto table = reader.table("terrain")) scene.terrain = read_terrain(*table);
     for (TableReader& table : reader.tables("solid", kMaxSolids)) scene.solids.push_back(read_solid(std::move(table)));
+    double weather_s = 0.0;
+    for (TableReader& table : reader.tables("weather", kMaxKeys))
+        read_weather(std::move(table), weather_s, scene.weather);
+    for (TableReader& table : reader.tables("mesh", kMaxMeshes)) scene.meshes.push_back(read_mesh(std::move(table)));
     for (TableReader& table : reader.tables("cloud", kMaxClouds)) scene.clouds.push_back(read_cloud(std::move(table)));
     reader.finish("a scene file");
     return scene;

@@ -2,12 +2,17 @@
 // The order of a scene's passes: all that stands behind the clouds or reaches into them, the clouds, then what stands
 // in front, so that a cloud's soft edge, which has no depth of its own, never lies over a nearer thing.
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
 
+#include "cloud/baselines/slice_cloud.h"
+#include "cloud/baselines/sprite_cloud.h"
 #include "cloud/mega_particles/mega_particles.h"
 #include "demo/camera_matrices.h"
+#include "demo/cloud_motion.h"
 #include "demo/scene.h"
+#include "demo/scene_build.h"
 #include "demo/scene_data.h"
 #include "demo/texture_pyramid.h"
 
@@ -44,16 +49,41 @@ void blend_by_texture(pl::PipelineState& state) {
     state.stages[0].alpha_arg2 = {.source = pl::ArgSource::Diffuse};
 }
 
+SceneDescription in_weather(const SceneDescription& description, double seconds) {
+    SceneDescription now    = description;
+    const WeatherPath& path = description.weather;
+    now.weather             = {};
+    const auto set          = [&](const Track<Vec3>& track, Vec3& value) {
+        if (!track.empty()) value = track.linear(seconds);
+    };
+    set(path.to_sun, now.light.to_sun);
+    now.light.to_sun = glm::normalize(now.light.to_sun);
+    set(path.sun, now.light.sun);
+    set(path.sky, now.light.sky);
+    set(path.bounce, now.light.bounce);
+    set(path.zenith, now.sky.zenith);
+    set(path.horizon, now.sky.horizon);
+    set(path.glow, now.sky.glow);
+    return now;
+}
+
 class SceneFrame {
   public:
-    SceneFrame(const Scene& scene, Size size, int index)
-        : scene_(scene), about_(scene.description), geometry_(scene.geometry) {
+    SceneFrame(const Scene& scene, Size size, int index, const FrameOptions& options)
+        : scene_(scene),
+          about_(scene.description),
+          geometry_(scene.geometry),
+          options_(options),
+          seconds_(index / about_.fps) {
         const auto width = static_cast<std::int32_t>(size.width), height = static_cast<std::int32_t>(size.height);
-        eye_ = eye_at(about_.camera, index);
-        const pl::Camera camera{.name       = "scene",
-                                .view       = look_at(eye_, about_.camera.target),
-                                .projection = perspective(about_.camera.vfov_deg, static_cast<double>(width) / height,
-                                                          about_.camera.near_m, about_.camera.far_m)};
+        eye_ = eye_at(about_.camera, index, seconds_);
+        pl::Camera camera{.name       = "scene",
+                          .view       = look_at(eye_, target_at(about_.camera, seconds_)),
+                          .projection = perspective(about_.camera.vfov_deg, static_cast<double>(width) / height,
+                                                    about_.camera.near_m, about_.camera.far_m)};
+        // x / w grows by 2 shift / width; w is -z.
+        camera.projection[2][0] -= 2.0f * options.shift_px.x / static_cast<float>(width);
+        camera.projection[2][1] += 2.0f * options.shift_px.y / static_cast<float>(height);
         view_          = {.eye        = eye_,
                           .view       = camera.view,
                           .projection = camera.projection,
@@ -74,10 +104,15 @@ class SceneFrame {
         solids("solids", geometry_.solids_behind);
         sky();
         frame_.passes.front().clear = {.color = fog_color(), .depth = 1.0f};
-        if (!scene_.clouds.empty())
-            cloud::append_mega_particles(frame_, {.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = fog()}, view_,
-                                         scene_.clouds);
-        solids("objects in front", geometry_.solids_in_front);
+        const bool clouds_last      = options_.order == cloud::Order::OrderFree;
+        if (clouds_last) solids("objects in front", geometry_.solids_in_front);
+        const std::size_t first_cloud_pass = frame_.passes.size();
+        clouds();
+        const std::size_t end_cloud_pass = frame_.passes.size();
+        if (!clouds_last) solids("objects in front", geometry_.solids_in_front);
+        if (options_.flat_scene)
+            for (std::size_t i = 0; i < frame_.passes.size(); ++i)
+                if (i < first_cloud_pass || i >= end_cloud_pass) flatten(frame_.passes[i]);
         return std::move(frame_);
     }
 
@@ -91,6 +126,55 @@ class SceneFrame {
                                  .state  = {},
                                  .draws  = {}});
         return frame_.passes.back();
+    }
+
+    // Opaque, in the one colour.
+    void flatten(pl::Pass& pass) {
+        pass.state.blend  = pl::kReplace;
+        pass.state.fog    = {};
+        pass.state.stages = {};
+        if (pass.clear.color) pass.clear.color = to_argb(*options_.flat_scene);
+        for (std::size_t i = 0; i < geometry_.vertices.size(); ++i)
+            frame_.vertices[i].diffuse = to_argb(*options_.flat_scene);
+        for (pl::Draw& draw : pass.draws)
+            if (auto* triangles = std::get_if<pl::DrawTriangles>(&draw)) triangles->textures = {};
+    }
+
+    // Those that change are baked anew; of these the fractal stays.
+    cloud::BakedCloud baked_now(const SceneCloud& cloud) const {
+        cloud::BakedCloud baked = cloud.baked;
+        if (moves(cloud.plan)) {
+            cloud::Cloud now = cloud_at(cloud, seconds_);
+            if (reshapes(cloud.plan))
+                baked = cloud::bake(now, about_.light, cloud.baked);
+            else
+                baked.cloud = std::move(now);
+        }
+        if (options_.mode && *options_.mode != baked.cloud.mode) {
+            baked.cloud.mode = *options_.mode;
+            baked            = cloud::bake(baked.cloud, about_.light);  // each mode has its own code in the fractal
+        }
+        if (options_.order) baked.cloud.order = *options_.order;
+        if (!options_.has_detail) baked.cloud.detail = cloud::Detail::None;
+        return baked;
+    }
+
+    void clouds() {
+        if (!options_.has_clouds) return;
+        std::vector<cloud::BakedCloud> clouds;
+        for (std::size_t i = 0; i < scene_.clouds.size(); ++i)
+            if (!options_.only_cloud || *options_.only_cloud == i) clouds.push_back(baked_now(scene_.clouds[i]));
+        std::erase_if(clouds, [](const cloud::BakedCloud& cloud) { return cloud.cloud.particles.empty(); });
+        if (clouds.empty()) return;
+        const cloud::SceneTargets targets{.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = fog()};
+        switch (options_.technique) {
+            case Technique::MegaParticles:
+                return cloud::append_mega_particles(frame_, targets, view_, clouds);
+            case Technique::Sprites:
+                return cloud::append_sprite_clouds(frame_, targets, view_, clouds);
+            case Technique::Slices:
+                return cloud::append_slice_clouds(frame_, targets, view_, clouds);
+        }
     }
 
     pl::DrawTriangles draw_of(const TexturedRange& range, int second_texture) const {
@@ -140,12 +224,16 @@ class SceneFrame {
         overlays.depth.write = false;  // it is there already
     }
 
-    void solids(const char* label, const std::vector<TexturedRange>& ranges) {
+    void solids(const char* label, const std::vector<MovingRange>& ranges) {
         if (ranges.empty()) return;
         pl::Pass& pass = add_pass(label);
         set_solid_state(pass.state);
         use_texture(pass.state);
-        for (const TexturedRange& range : ranges) pass.draws.emplace_back(draw_of(range, -1));
+        for (const MovingRange& moving : ranges) {
+            pl::DrawTriangles draw = draw_of(moving.range, -1);
+            draw.world[3]          = pipeline::Vec4(moving.velocity * static_cast<float>(seconds_), 1.0f);
+            pass.draws.emplace_back(draw);
+        }
     }
 
     void set_solid_state(pl::PipelineState& state) const {
@@ -168,6 +256,8 @@ class SceneFrame {
     const Scene& scene_;
     const SceneDescription& about_;
     const SceneGeometry& geometry_;
+    const FrameOptions& options_;
+    double seconds_;
     Vec3 eye_ = Vec3(0.0f);
     cloud::View view_;
     pl::Frame frame_;
@@ -175,8 +265,11 @@ class SceneFrame {
 
 }  // namespace
 
-pipeline::Frame scene_frame(const Scene& scene, Size size, int index) {
-    return SceneFrame(scene, size, index).build();
+pipeline::Frame scene_frame(const Scene& scene, Size size, int index, const FrameOptions& options) {
+    if (scene.description.weather.empty()) return SceneFrame(scene, size, index, options).build();
+    // New light on everything.
+    const Scene relit = build_scene(in_weather(scene.description, index / scene.description.fps));
+    return SceneFrame(relit, size, index, options).build();
 }
 
 }  // namespace demo

@@ -15,6 +15,7 @@ libraries=(
     "libtbb-dev           oneTBB         tbb/parallel_for.h"
     "libcli11-dev         CLI11          CLI/CLI.hpp"
     "libtomlplusplus-dev  toml++         toml++/toml.h"
+    "libtinygltf-dev      tinygltf       tiny_gltf.h"
     "nlohmann-json3-dev   nlohmann-json  nlohmann/json.hpp"
     "nettle-dev           Nettle         nettle/sha2.h"
 )

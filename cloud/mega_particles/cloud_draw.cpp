@@ -35,6 +35,13 @@ void show_texture(PipelineState& state, TextureFilter filter) {
     stage.address_v     = TextureAddress::Clamp;
 }
 
+void blend_over_scene(const CloudDraw& draw, PipelineState& state, BlendState blend) {
+    state.blend = blend;
+    if (draw.baked.cloud.order == Order::InOrder) return;
+    state.dest_alpha_test  = DestAlphaTest::One;
+    state.color_mask.alpha = false;
+}
+
 Argb to_argb(Vec3 color, float alpha) {
     const auto byte = [](float v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); };
     return {byte(alpha) << 24 | byte(color.x) << 16 | byte(color.y) << 8 | byte(color.z)};

@@ -3,6 +3,7 @@
 // rectangles they are held to. Also the few helpers that all of these passes use.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct CloudTargets {
     int width = 0, height = 0;
 };
 
+// The textures of the fractal box's sides, in the order of FractalFaces.
+using FractalTextures = std::array<pipeline::TextureId, kBoxFaces>;
+
 // bounds: the cloud on the screen with its blurred rim. halo: bounds and as much around it as the blur reads. Both are
 // multiples of 2^blur.levels, within the rounded-up target.
 struct CloudDraw {
@@ -33,6 +37,7 @@ struct CloudDraw {
     const CloudTargets& targets;
     BlurPlan blur;
     PixelRect bounds, halo;
+    FractalTextures fractal;
 };
 
 // A new pass of the frame, "<cloud>: <what>", scissored to `area` of the picture. The reference lasts until the next
@@ -46,6 +51,9 @@ pipeline::DrawRectangle blit(pipeline::TargetId source, int source_width, int so
 
 // Stages that write the bound texture as it is.
 void show_texture(pipeline::PipelineState& state, pipeline::TextureFilter filter);
+
+// What blends the finished cloud over the back buffer: bit 7 of its alpha decides, if the cloud is free of order.
+void blend_over_scene(const CloudDraw& draw, pipeline::PipelineState& state, pipeline::BlendState blend);
 
 // Rounded to the nearest byte; values are clamped to 0..1.
 pipeline::Argb to_argb(Vec3 color, float alpha);

@@ -1,18 +1,85 @@
 // SPDX-License-Identifier: MIT
 #include "cloud/mega_particles/composite.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "cloud/mega_particles/draw_particles.h"
+#include "cloud/particle_mesh.h"
+
 namespace cloud {
 
 using namespace pipeline;
 
+namespace {
+
+// Distance from the eye to the surface of the particle, about; negative inside.
+float surface_m(const Particle& particle, Vec3 eye) {
+    const Vec3 in_ball = glm::inverse(particle.shape) * (eye - particle.center);
+    return glm::length(in_ball) - particle.radius;
+}
+
+// The mean colour of the surface around the eye: with distance d a vertex counts 1 / (1 + (d / reach)^2)^2.
+Vec3 color_around(const BakedCloud& baked, Vec3 eye, float reach_m) {
+    Vec3 sum(0.0f);
+    float weights           = 0.0f;
+    const std::size_t count = icosphere_vertices(kFinestLevel);
+    for (std::size_t i = 0; i < baked.lit.vertices.size(); ++i) {
+        const Particle& particle = baked.cloud.particles[i / count];
+        const LitVertex& vertex  = baked.lit.vertices[i];
+        const Vec3 away          = vertex.position - eye;
+        const float share        = 1.0f / (1.0f + glm::dot(away, away) / (reach_m * reach_m));
+        const float weight       = share * share * particle.radius * particle.radius;
+        sum += weight * color_of(baked.cloud, particle, vertex);
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+}  // namespace
+
 void append_composite(const CloudDraw& draw, TargetId finished) {
-    Pass& pass       = append_pass(draw, "composite (SRCALPHA, INVSRCALPHA)", draw.scene.back_buffer, draw.bounds);
-    pass.state.blend = kAlphaOver;
+    const Cloud& cloud       = draw.baked.cloud;
+    const bool premultiplied = cloud.mode == Mode::Premultiplied;
+    const bool eroded        = finished == draw.targets.eroded && draw.targets.eroded;  // tint and dissolve are in it
+    const bool tinted        = cloud.tint && cloud.mode != Mode::Article && !eroded;
+    Pass& pass = append_pass(draw, premultiplied ? "composite (ONE, INVSRCALPHA)" : "composite (SRCALPHA, INVSRCALPHA)",
+                             draw.scene.back_buffer, draw.bounds);
+    blend_over_scene(draw, pass.state,
+                     premultiplied ? BlendState{.source = BlendFactor::One, .dest = BlendFactor::InvSourceAlpha}
+                                   : kAlphaOver);
     show_texture(pass.state, TextureFilter::Point);
-    pass.state.stages[0].alpha_op   = TextureOp::Modulate;
-    pass.state.stages[0].alpha_arg2 = {.source = ArgSource::TFactor};
-    pass.state.texture_factor       = to_argb(Vec3(1.0f), draw.baked.cloud.opacity);
+    const float opacity = cloud.opacity * (eroded ? 1.0f : 1.0f - cloud.dissolve);
+    Vec3 factor         = tinted ? *cloud.tint : Vec3(1.0f);
+    if (premultiplied) factor *= opacity;
+    TextureStage& stage = pass.state.stages[0];
+    stage.alpha_op      = TextureOp::Modulate;
+    stage.alpha_arg2    = {.source = ArgSource::TFactor};
+    if (premultiplied || tinted) {
+        stage.color_op   = TextureOp::Modulate;
+        stage.color_arg2 = {.source = ArgSource::TFactor};
+    }
+    pass.state.texture_factor = to_argb(factor, opacity);
     pass.draws.push_back(blit(finished, draw.view.width, draw.view.height, 1.0f, 0.0f));
+}
+
+void append_whiteout(const CloudDraw& draw) {
+    const Cloud& cloud = draw.baked.cloud;
+    const float reach  = std::max(4.0f * cloud.blur_m, near_reach_m(draw.view));
+    float nearest      = 1e30f;
+    for (const Particle& particle : cloud.particles)
+        nearest = std::min(nearest, surface_m(particle, draw.view.eye) / (reach * particle.alpha + 1e-6f));
+    if (nearest >= 1.0f) return;
+    const float alpha = std::min(1.0f - nearest, 1.0f) * cloud.opacity * (1.0f - cloud.dissolve);
+    const Vec3 color  = color_around(draw.baked, draw.view.eye, 2.0f * reach);
+    Pass& pass = append_pass(draw, "whiteout: the eye is inside", draw.scene.back_buffer, draw.bounds);
+    blend_over_scene(draw, pass.state, kAlphaOver);
+    DrawRectangle all;
+    all.x1    = static_cast<float>(draw.view.width);
+    all.y1    = static_cast<float>(draw.view.height);
+    all.color = to_argb(color, alpha);
+    pass.draws.push_back(all);
 }
 
 }  // namespace cloud

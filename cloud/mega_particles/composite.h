@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// One rectangle, texel on pixel, that blends a finished cloud over the back buffer: source * alpha + dest * (1 -
-// alpha).
+// Rectangles that blend over the back buffer.
 #pragma once
 
 #include "cloud/mega_particles/cloud_draw.h"
 
 namespace cloud {
 
-// finished: of the back buffer's size. Its alpha is multiplied by the cloud's constant opacity.
+// A finished cloud of the back buffer's size, texel on pixel: source * alpha + dest * (1 - alpha), or source + dest *
+// (1 - alpha) if it is premultiplied. Its alpha is multiplied by the cloud's constant opacity.
 void append_composite(const CloudDraw& draw, pipeline::TargetId finished);
+
+// With the eye inside a particle there is nothing to see but the cloud: the whole picture takes the colour of what is
+// around the eye, and begins to within four standard deviations of the blur from the surface, so that coming in and
+// going out are gradual. Appends nothing from farther away.
+void append_whiteout(const CloudDraw& draw);
 
 }  // namespace cloud

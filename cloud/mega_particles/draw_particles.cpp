@@ -2,6 +2,7 @@
 #include "cloud/mega_particles/draw_particles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -13,7 +14,7 @@ using namespace pipeline;
 
 namespace {
 
-constexpr float kSkirtSigmas = 2.5f;
+constexpr float kRimSigmas = 2.5f;
 
 float distance_m(const CloudDraw& draw, std::size_t particle) {
     return glm::length(draw.baked.cloud.particles[particle].center - draw.view.eye);
@@ -23,7 +24,7 @@ float distance_m(const CloudDraw& draw, std::size_t particle) {
 std::vector<std::size_t> front_to_back(const CloudDraw& draw) {
     const std::vector<Particle>& particles = draw.baked.cloud.particles;
     std::vector<float> nearest;
-    for (std::size_t i = 0; i < particles.size(); ++i) nearest.push_back(distance_m(draw, i) - particles[i].radius);
+    for (std::size_t i = 0; i < particles.size(); ++i) nearest.push_back(distance_m(draw, i) - greatest_radius(particles[i]));
     std::vector<std::size_t> order(particles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearest[a] < nearest[b]; });
@@ -31,7 +32,7 @@ std::vector<std::size_t> front_to_back(const CloudDraw& draw) {
 }
 
 int level_of(const CloudDraw& draw, std::size_t particle) {
-    const float radius    = draw.baked.cloud.particles[particle].radius;
+    const float radius    = greatest_radius(draw.baked.cloud.particles[particle]);
     const float clearance = std::max(distance_m(draw, particle) - radius, draw.view.near_m);
     return choose_level(focal_px(draw.view) * radius / clearance, sigma_px(draw.blur));
 }
@@ -56,17 +57,31 @@ DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_
     return triangles;
 }
 
+// By how much the rim reaches beyond a particle.
+float rim_m(const CloudDraw& draw, const Particle& particle) {
+    return kRimSigmas * sigma_px(draw.blur) / focal_px(draw.view) * glm::length(particle.center - draw.view.eye);
+}
+
 // Whether the near plane may lie in one of the spheres: then their insides must be drawn.
-bool inside_a_particle(const CloudDraw& draw) {
+bool inside_a_particle(const CloudDraw& draw, bool with_rim) {
     const Cloud& cloud = draw.baked.cloud;
     return std::any_of(cloud.particles.begin(), cloud.particles.end(), [&](const Particle& particle) {
         const Sphere sphere = bounding_sphere(particle, cloud);
-        return glm::length(sphere.center - draw.view.eye) < sphere.radius + near_reach_m(draw.view);
+        const float reach   = near_reach_m(draw.view) + (with_rim ? rim_m(draw, particle) : 0.0f);
+        return glm::length(sphere.center - draw.view.eye) < sphere.radius + reach;
     });
 }
 
-Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, PixelRect area) {
-    Pass& pass      = append_pass(draw, what, draw.targets.particles, area);
+// What the particles' target gets: grey, if one channel has to do.
+Vec3 stored_color(const CloudDraw& draw, Vec3 color) {
+    const Cloud& cloud = draw.baked.cloud;
+    if (!cloud.tint) return color;
+    if (cloud.mode == Mode::Article) return color * *cloud.tint;
+    return Vec3(glm::dot(color, Vec3(0.299f, 0.587f, 0.114f)));
+}
+
+Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, TargetId color, PixelRect area) {
+    Pass& pass      = append_pass(draw, what, color, area);
     pass.depth      = draw.scene.depth;
     pass.camera     = draw.scene.camera;
     pass.state.fog  = draw.scene.fog;
@@ -77,34 +92,71 @@ Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, PixelRe
 }  // namespace
 
 void append_particles(const CloudDraw& draw) {
-    const bool article = draw.baked.cloud.mode == Mode::Article;
-    Pass& pass         = append_sphere_pass(draw, "mega-particles, alpha 1", draw.bounds);
-    pass.state.depth   = {.func = CompareFunc::LessEqual, .write = true};
-    if (inside_a_particle(draw)) pass.state.cull = CullMode::None;
+    const Mode mode    = draw.baked.cloud.mode;
+    const bool article = mode == Mode::Article, on_black = mode == Mode::Premultiplied || mode == Mode::Black;
+    Pass& pass       = append_sphere_pass(draw, "mega-particles, alpha 1", draw.targets.particles,
+                                          on_black ? draw.halo : draw.bounds);
+    pass.state.depth = {.func = CompareFunc::LessEqual, .write = true};
+    if (on_black) pass.clear.color = Argb{0x00000000};
+    if (inside_a_particle(draw, false)) pass.state.cull = CullMode::None;
     if (article) pass.state.lighting = daylight_state(draw.baked.daylight);
     pass.draws.push_back(
         append_spheres(draw, front_to_back(draw), 0, [&](const Particle& particle, const LitVertex& lit) {
-            const Vec3 light = article ? Vec3(lit.occlusion) : lit.light;
+            const Cloud& cloud = draw.baked.cloud;
+            const Vec3 color = article ? lit.occlusion * particle.color : color_of(cloud, particle, lit);
             return Vertex{.position = lit.position,
                           .normal   = lit.normal,
-                          .diffuse  = to_argb(light * particle.color, particle.alpha)};
+                          .diffuse  = to_argb(stored_color(draw, color), particle.alpha)};
         }));
 }
 
 void append_skirt(const CloudDraw& draw) {
-    Pass& pass                             = append_sphere_pass(draw, "skirt: inflated particles, alpha 0", draw.halo);
-    pass.clear.color                       = to_argb(draw.baked.lit.mean_color, 0.0f);
+    Pass& pass = append_sphere_pass(draw, "skirt: inflated particles, alpha 0", draw.targets.particles, draw.halo);
+    pass.clear.color                       = to_argb(stored_color(draw, draw.baked.lit.mean_color), 0.0f);
     pass.state.depth                       = {.func = CompareFunc::LessEqual, .write = false};
     std::vector<std::size_t> back_to_front = front_to_back(draw);
     std::reverse(back_to_front.begin(), back_to_front.end());
-    const float sigma_per_metre = sigma_px(draw.blur) / focal_px(draw.view);
     // One level coarser: of the skirt only colour is seen, and that blurred.
     pass.draws.push_back(append_spheres(draw, back_to_front, 1, [&](const Particle& particle, const LitVertex& lit) {
-        const float inflation = kSkirtSigmas * sigma_per_metre * glm::length(particle.center - draw.view.eye);
-        return Vertex{.position = lit.position + lit.normal * inflation,
+        return Vertex{.position = lit.position + lit.normal * rim_m(draw, particle),
                       .normal   = lit.normal,
-                      .diffuse  = to_argb(lit.light * particle.color, 0.0f)};
+                      .diffuse  = to_argb(stored_color(draw, color_of(draw.baked.cloud, particle, lit)), 0.0f)};
     }));
+}
+
+void append_rim_mask(const CloudDraw& draw) {
+    Pass& clear = append_pass(draw, "rim mask: nowhere", draw.scene.back_buffer, draw.bounds);
+    clear.state.color_mask = {.red = false, .green = false, .blue = false, .alpha = true};
+    DrawRectangle nowhere;
+    nowhere.x1    = static_cast<float>(draw.view.width);
+    nowhere.y1    = static_cast<float>(draw.view.height);
+    nowhere.color = {0x00000000};
+    clear.draws.push_back(nowhere);
+
+    Pass& mask = append_sphere_pass(draw, "rim mask: where the scene is behind", draw.scene.back_buffer, draw.bounds);
+    mask.state.color_mask = {.red = false, .green = false, .blue = false, .alpha = true};
+    mask.state.depth      = {.func = CompareFunc::LessEqual, .write = false};
+    mask.state.fog        = {};
+    if (inside_a_particle(draw, true)) mask.state.cull = CullMode::None;
+    mask.draws.push_back(
+        append_spheres(draw, front_to_back(draw), 1, [&](const Particle& particle, const LitVertex& lit) {
+            return Vertex{.position = lit.position + lit.normal * rim_m(draw, particle),
+                          .normal   = lit.normal,
+                          .diffuse  = {0xffffffff}};
+        }));
+}
+
+Vec3 color_of(const Cloud& cloud, const Particle& particle, const LitVertex& vertex) {
+    Vec3 light = vertex.light;
+    for (const InnerLight& inner : cloud.lights) {
+        const Vec3 to_light    = inner.center - vertex.position;
+        const float distance2  = glm::dot(to_light, to_light);
+        const float left       = 1.0f - distance2 / (inner.range * inner.range);
+        if (left <= 0.0f) continue;
+        const float facing = distance2 > 0.0f ? glm::dot(vertex.normal, to_light) / std::sqrt(distance2) : 0.0f;
+        light += inner.color * (left * left * (0.7f + 0.3f * facing));
+    }
+    return light * particle.color + particle.glow;
 }
 
 LightingState daylight_state(const Daylight& daylight) {

@@ -11,47 +11,42 @@ using namespace pipeline;
 
 namespace {
 
-struct Box {
-    Vec3 low, high;
+struct PlacedBox {
+    Vec3 middle, half;
+    Turn turn;
+
+    Vec3 to_world(Vec3 p) const {
+        return middle + Vec3(turn.x * p.x + turn.y * p.z, p.y, turn.x * p.z - turn.y * p.x);
+    }
+    Vec3 to_box(Vec3 p) const {
+        p -= middle;
+        return Vec3(turn.x * p.x - turn.y * p.z, p.y, turn.x * p.z + turn.y * p.x);
+    }
 };
 
 // The particles, and the rim that the blur gives them. Its width is mostly fixed, so that the fractal does not move
 // within the cloud; only where the blur is wider than was asked for (far away, where it cannot be narrow) does the box
 // grow.
-Box box_around(const CloudDraw& draw) {
-    const LitParticles& lit = draw.baked.lit;
-    const Vec3 middle       = (lit.low + lit.high) * 0.5f;
-    const float farthest    = glm::length(middle - draw.view.eye) + glm::length(lit.high - middle);
-    const float sigma_m     = sigma_px(draw.blur) / focal_px(draw.view) * farthest;
+PlacedBox box_around(const CloudDraw& draw, const std::optional<Turn>& turn) {
+    const Box box        = fractal_box(draw.baked.cloud, draw.baked.lit);
+    const Vec3 middle    = (box.low + box.high) * 0.5f;
+    const float farthest = glm::length(middle - draw.view.eye) + glm::length(box.high - middle);
+    const float sigma_m  = sigma_px(draw.blur) / focal_px(draw.view) * farthest;
     const Vec3 rim(std::max(4.0f * draw.baked.cloud.blur_m, 2.5f * sigma_m));
-    return {lit.low - rim, lit.high + rim};
+    return {middle, box.high - middle + rim, turn.value_or(Turn(1.0f, 0.0f))};
 }
 
 // From outside the near sides are drawn, from inside the far ones: always one layer. The near plane cuts holes into
 // the near sides a little before the eye is inside. There the article's "culling off" would draw both.
-CullMode cull_of(const CloudDraw& draw, const Box& box) {
-    const auto contains = [&](float reach) {
-        return glm::all(glm::greaterThan(draw.view.eye, box.low - reach)) &&
-               glm::all(glm::lessThan(draw.view.eye, box.high + reach));
-    };
+CullMode cull_of(const CloudDraw& draw, const PlacedBox& box) {
+    const Vec3 eye      = glm::abs(box.to_box(draw.view.eye));
+    const auto contains = [&](float reach) { return glm::all(glm::lessThan(eye, box.half + reach)); };
     if (!contains(near_reach_m(draw.view))) return CullMode::Clockwise;
     return draw.baked.cloud.mode == Mode::Article && contains(0.0f) ? CullMode::None : CullMode::CounterClockwise;
 }
 
-TextureId append_texture(const CloudDraw& draw, int face) {
-    const int size = draw.baked.cloud.fractal.face_size;
-    Texture texture;
-    texture.name   = draw.baked.cloud.name + " fractal " + "+-"[face % 2] + "xyz"[face / 2];
-    texture.format = TextureFormat::A8;
-    texture.width = texture.height = size;
-    texture.levels                 = fractal_levels(size);
-    texture.texels                 = draw.baked.fractal[static_cast<std::size_t>(face)];
-    draw.frame.textures.push_back(std::move(texture));
-    return {static_cast<std::int32_t>(draw.frame.textures.size()) - 1};
-}
-
 // One side of the box; uv from centre to centre of the fractal's border texels (fractal.h).
-DrawTriangles append_side(const CloudDraw& draw, const Box& box, int face, int stage) {
+DrawTriangles append_side(const CloudDraw& draw, const PlacedBox& box, int face, int stage, Argb color) {
     Frame& frame     = draw.frame;
     const int axis   = face / 2;
     const bool far   = face % 2 == 0;
@@ -59,12 +54,16 @@ DrawTriangles append_side(const CloudDraw& draw, const Box& box, int face, int s
     const auto first = static_cast<std::uint32_t>(frame.vertices.size());
     for (int corner = 0; corner < 4; ++corner) {
         const bool right = corner == 1 || corner == 2, down = corner >= 2;
+        Vec3 position;
+        position[axis]           = far ? box.half[axis] : -box.half[axis];
+        position[(axis + 1) % 3] = right ? box.half[(axis + 1) % 3] : -box.half[(axis + 1) % 3];
+        position[(axis + 2) % 3] = down ? box.half[(axis + 2) % 3] : -box.half[(axis + 2) % 3];
         Vertex vertex;
-        vertex.position[axis]           = far ? box.high[axis] : box.low[axis];
-        vertex.position[(axis + 1) % 3] = right ? box.high[(axis + 1) % 3] : box.low[(axis + 1) % 3];
-        vertex.position[(axis + 2) % 3] = down ? box.high[(axis + 2) % 3] : box.low[(axis + 2) % 3];
-        vertex.normal[axis]             = far ? 1.0f : -1.0f;
-        vertex.uv0                      = Vec2(right ? 1.0f - edge : edge, down ? 1.0f - edge : edge);
+        vertex.position     = box.to_world(position);
+        vertex.normal[axis] = far ? 1.0f : -1.0f;
+        vertex.normal       = box.to_world(vertex.normal) - box.middle;
+        vertex.diffuse      = color;
+        vertex.uv0          = Vec2(right ? 1.0f - edge : edge, down ? 1.0f - edge : edge);
         frame.vertices.push_back(vertex);
     }
     DrawTriangles side;
@@ -73,7 +72,7 @@ DrawTriangles append_side(const CloudDraw& draw, const Box& box, int face, int s
     // Counter-clockwise from outside: the two texture axes and the outward normal of a far side are right-handed.
     for (std::uint32_t index : {0u, far ? 1u : 2u, far ? 2u : 1u, 0u, far ? 2u : 3u, far ? 3u : 2u})
         frame.indices.push_back(first + index);
-    side.textures[static_cast<std::size_t>(stage)].texture = append_texture(draw, face);
+    side.textures[static_cast<std::size_t>(stage)].texture = draw.fractal[static_cast<std::size_t>(face)];
     return side;
 }
 
@@ -85,40 +84,92 @@ void sample_fractal(TextureStage& stage) {
     stage.coords     = CoordSource::Vertex0;
 }
 
+// What the fractal multiplies alpha by: 0.6 + 0.8 n, clamped. Skirt mode's texels store n / 2, the others' the factor.
+constexpr float kFactorOffset = 0.6f, kFactorSlope = 0.8f;
+
+void make_factor(PipelineState& state) {
+    TextureStage& slope     = state.stages[0];
+    slope.alpha_op          = TextureOp::Modulate2X;
+    slope.alpha_arg2        = {.source = ArgSource::TFactor};
+    state.texture_factor    = to_argb(Vec3(1.0f), kFactorSlope);
+    TextureStage& offset    = state.stages[1];
+    offset.color_op         = TextureOp::SelectArg2;
+    offset.alpha_op         = TextureOp::Add;
+    offset.alpha_arg1       = {.source = ArgSource::Current};
+    offset.alpha_arg2       = {.source = ArgSource::Diffuse};
+}
+
 }  // namespace
 
-void append_multiplying_box(const CloudDraw& draw) {
-    const Box box         = box_around(draw);
-    Pass& pass            = append_pass(draw, "fractal box: multiply alpha only", draw.targets.particles, draw.bounds);
+void append_multiplying_box(const CloudDraw& draw, TargetId into, const std::optional<Turn>& turn) {
+    const Cloud& cloud    = draw.baked.cloud;
+    const bool all        = cloud.mode == Mode::Premultiplied;
+    const PlacedBox box   = box_around(draw, turn);
+    Pass& pass            = append_pass(draw, all ? "fractal box: multiply" : "fractal box: multiply alpha only", into,
+                                        draw.bounds);
     pass.camera           = draw.scene.camera;
-    pass.state.blend      = kMultiply;
-    pass.state.color_mask = {.red = false, .green = false, .blue = false, .alpha = true};
+    pass.state.blend      = all ? BlendState{.source = BlendFactor::Zero, .dest = BlendFactor::SourceAlpha} : kMultiply;
+    pass.state.color_mask = {.red = all, .green = all, .blue = all, .alpha = true};
     pass.state.cull       = cull_of(draw, box);
     show_texture(pass.state, TextureFilter::Linear);
     sample_fractal(pass.state.stages[0]);
-    for (int face = 0; face < kBoxFaces; ++face) pass.draws.push_back(append_side(draw, box, face, 0));
+    if (cloud.mode == Mode::Skirt) make_factor(pass.state);
+    for (int face = 0; face < kBoxFaces; ++face)
+        pass.draws.push_back(append_side(draw, box, face, 0, to_argb(Vec3(1.0f), kFactorOffset)));
 }
 
-void append_eroding_box(const CloudDraw& draw, TargetId into, BlendState blend) {
-    const Box box   = box_around(draw);
-    const bool over = !(blend == kReplace);
+void append_eroding_box(const CloudDraw& draw, TargetId into) {
+    const Cloud& cloud  = draw.baked.cloud;
+    const PlacedBox box = box_around(draw, cloud.box_turn);
+    const bool over     = into == draw.scene.back_buffer;
     Pass& pass = append_pass(draw, over ? "fractal box: erode and composite" : "fractal box: erode", into, draw.bounds);
-    if (!over) pass.clear.color = Argb{0x00000000};  // where the box does not reach
-    pass.camera      = draw.scene.camera;
-    pass.state.blend = blend;
-    pass.state.cull  = cull_of(draw, box);
+    pass.camera     = draw.scene.camera;
+    pass.state.cull = cull_of(draw, box);
+    if (over)
+        blend_over_scene(draw, pass.state, kAlphaOver);
+    else
+        pass.clear.color = Argb{0x00000000};  // where the box does not reach
     show_texture(pass.state, TextureFilter::Point);
-    pass.state.stages[0].coords    = CoordSource::CameraPosition;
-    pass.state.stages[0].transform = screen_coordinates(draw.view.projection);
-    TextureStage& erosion          = pass.state.stages[1];
+    TextureStage& finished    = pass.state.stages[0];
+    finished.coords           = CoordSource::CameraPosition;
+    finished.transform        = screen_coordinates(draw.view.projection);
+    pass.state.texture_factor = to_argb(cloud.tint.value_or(Vec3(1.0f)), cloud.dissolve);
+    if (cloud.tint) {
+        finished.color_op   = TextureOp::Modulate;
+        finished.color_arg2 = {.source = ArgSource::TFactor};
+    }
+    if (cloud.dissolve > 0.0f) {
+        finished.alpha_op   = TextureOp::Subtract;
+        finished.alpha_arg2 = {.source = ArgSource::TFactor};
+    }
+    TextureStage& erosion = pass.state.stages[1];
     sample_fractal(erosion);
     erosion.color_op = TextureOp::SelectArg2;  // the colour so far; the fractal stores n / 2
     erosion.alpha_op = TextureOp::AddSigned2X;
     for (int face = 0; face < kBoxFaces; ++face) {
-        DrawTriangles side      = append_side(draw, box, face, 1);
+        DrawTriangles side      = append_side(draw, box, face, 1, {});
         side.textures[0].target = draw.targets.particles;
         pass.draws.push_back(side);
     }
+}
+
+bool erodes_and_composites_at_once(const Cloud& cloud) {
+    return cloud.mode == Mode::Skirt && cloud.opacity >= 1.0f && !cloud.second_box_turn;
+}
+
+FractalTextures append_fractal(Frame& frame, const BakedCloud& baked) {
+    FractalTextures textures;
+    const int size = baked.cloud.fractal.face_size;
+    for (int face = 0; face < kBoxFaces; ++face) {
+        Texture& texture = frame.textures.emplace_back();
+        texture.name     = baked.cloud.name + " fractal " + "+-"[face % 2] + "xyz"[face / 2];
+        texture.format   = TextureFormat::A8;
+        texture.width = texture.height           = size;
+        texture.levels                           = fractal_levels(size);
+        texture.texels                           = (*baked.fractal)[static_cast<std::size_t>(face)];
+        textures[static_cast<std::size_t>(face)] = {static_cast<std::int32_t>(frame.textures.size()) - 1};
+    }
+    return textures;
 }
 
 Mat4 screen_coordinates(const Mat4& projection) {

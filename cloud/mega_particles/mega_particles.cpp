@@ -10,6 +10,7 @@
 #include "cloud/mega_particles/cloud_draw.h"
 #include "cloud/mega_particles/composite.h"
 #include "cloud/mega_particles/copy_scene.h"
+#include "cloud/mega_particles/displacement.h"
 #include "cloud/mega_particles/draw_particles.h"
 #include "cloud/mega_particles/fractal_box.h"
 
@@ -19,38 +20,50 @@ using namespace pipeline;
 
 namespace {
 
+// Whether the finished cloud has to stand in a target of its own, beside the blurred one.
+bool needs_own_target(const Cloud& cloud) {
+    return cloud.detail == Detail::Fractal && cloud.mode == Mode::Skirt && !erodes_and_composites_at_once(cloud);
+}
+
+// What gives the rim its relief, fixed to the cloud and not to the screen; and the blend over the back buffer.
+void append_detail_and_composite(const CloudDraw& draw) {
+    const Cloud& cloud = draw.baked.cloud;
+    if (cloud.detail == Detail::Displacement) return append_displaced_composite(draw);
+    if (cloud.detail == Detail::None) return append_composite(draw, draw.targets.particles);
+    if (erodes_and_composites_at_once(cloud)) return append_eroding_box(draw, draw.scene.back_buffer);
+    const TargetId finished = cloud.mode == Mode::Skirt ? draw.targets.eroded : draw.targets.particles;
+    if (cloud.mode == Mode::Skirt)
+        append_eroding_box(draw, finished);
+    else
+        append_multiplying_box(draw, finished, cloud.box_turn);
+    if (cloud.second_box_turn) append_multiplying_box(draw, finished, *cloud.second_box_turn);
+    append_composite(draw, finished);
+}
+
 // The technique. `particles` is a colour target beside the back buffer; both use the scene's depth buffer.
 void append_cloud(const CloudDraw& draw) {
-    const CloudTargets& targets = draw.targets;
-    if (draw.baked.cloud.mode == Mode::Article) {
-        append_scene_copy(draw);       // no cloud yet: the scene's colour, so that the blur adds nothing foreign
-        append_particles(draw);        // the cloud's basic shape: few large spheres, lit and hidden like any object
-        append_blur(draw);             // colour and alpha: hides the spheres' edges, makes the rim soft
-        append_multiplying_box(draw);  // alpha only: detail, fixed to the cloud and not to the screen
-        append_composite(draw, targets.particles);
-        return;
-    }
-    append_skirt(draw);  // the cloud's own colour around it, so that the blur adds nothing foreign
-    append_particles(draw);
-    append_blur(draw);
-    if (draw.baked.cloud.opacity >= 1.0f) {
-        append_eroding_box(draw, draw.scene.back_buffer, kAlphaOver);  // detail and composite at once
-    } else {
-        append_eroding_box(draw, targets.eroded, kReplace);  // both texture stages are taken; opacity needs a third
-        append_composite(draw, targets.eroded);
-    }
+    const Mode mode = draw.baked.cloud.mode;
+    // Around the cloud, for the blur to mix in: the cloud's own colour, or the scene's. Else it is black.
+    if (mode == Mode::Skirt) append_skirt(draw);
+    if (mode == Mode::Article) append_scene_copy(draw);
+    append_particles(draw);  // the basic shape: few large spheres, lit and hidden like any object
+    append_blur(draw);       // colour and alpha: hides the spheres' edges, makes the rim soft
+    if (draw.baked.cloud.order == Order::OrderFree) append_rim_mask(draw);
+    append_detail_and_composite(draw);
+    append_whiteout(draw);
 }
 
 float nearest_m(const BakedCloud& baked, Vec3 eye) {
     float nearest = 1e30f;
     for (const Particle& particle : baked.cloud.particles)
-        nearest = std::min(nearest, glm::length(particle.center - eye) - particle.radius);
+        nearest = std::min(nearest, glm::length(particle.center - eye) - greatest_radius(particle));
     return nearest;
 }
 
 // The blur is given in metres; it is projected at the middle of the cloud.
 float wanted_sigma_px(const BakedCloud& baked, const View& view) {
-    const float distance = glm::length((baked.lit.low + baked.lit.high) * 0.5f - view.eye);
+    const Box box        = fractal_box(baked.cloud, baked.lit);
+    const float distance = glm::length((box.low + box.high) * 0.5f - view.eye);
     return baked.cloud.blur_m * focal_px(view) / std::max(distance, view.near_m);
 }
 
@@ -94,7 +107,7 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
         if (!bounds || baked.cloud.opacity <= 0.0f) continue;
         seen.push_back({&baked, blur, *bounds, nearest_m(baked, view.eye)});
         blur_levels = std::max(blur_levels, blur.levels);
-        needs_eroded |= baked.cloud.mode == Mode::Skirt && baked.cloud.opacity < 1.0f;
+        needs_eroded |= needs_own_target(baked.cloud);
     }
     if (seen.empty()) return;
 
@@ -104,7 +117,10 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
     const CloudTargets targets = append_targets(frame, view, blur_levels, needs_eroded);
     for (const Seen& cloud : seen) {
         const PixelRect halo = grow(cloud.bounds, 1 << cloud.blur.levels, targets.width, targets.height);
-        append_cloud({frame, scene, view, *cloud.baked, targets, cloud.blur, cloud.bounds, halo});
+        const FractalTextures fractal = cloud.baked->cloud.detail == Detail::Fractal
+                                            ? append_fractal(frame, *cloud.baked)
+                                            : FractalTextures{};
+        append_cloud({frame, scene, view, *cloud.baked, targets, cloud.blur, cloud.bounds, halo, fractal});
     }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
 
 #include "cloud/mega_particles/mega_particles.h"
 #include "cloud/particle_mesh.h"
@@ -75,7 +76,8 @@ Frame cloud_frame(const std::vector<cloud::Cloud>& clouds) {
     for (const cloud::Cloud& each : clouds) baked.push_back(bake_without_shadows(each));
     // Clouds of one size have the same.
     const Vec3 box_size = baked[0].lit.high - baked[0].lit.low;
-    const auto fractal  = cloud::make_fractal(clouds[0].fractal, box_size, cloud::FractalCode::Half);
+    const auto fractal  = std::make_shared<const cloud::FractalFaces>(
+        cloud::make_fractal(clouds[0].fractal, box_size, cloud::FractalCode::Half));
     for (cloud::BakedCloud& each : baked) each.fractal = fractal;
     cloud::append_mega_particles(frame, {.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = {}}, view, baked);
     return frame;

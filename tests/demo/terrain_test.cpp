@@ -310,10 +310,10 @@ TEST_CASE("camera matrices map the view to Direct3D's clip space", "[demo][terra
     CameraPath path;
     path.orbit_deg    = 60.0;
     path.orbit_frames = 4;
-    CHECK(eye_at(path, 0) == path.position);
-    CHECK(eye_at(path, 1).x == Approx(120.0 * std::sin(radians(60.0))));
-    CHECK(eye_at(path, 3).x == Approx(-120.0 * std::sin(radians(60.0))));
-    CHECK(eye_at(path, 5) == eye_at(path, 1));
+    CHECK(eye_at(path, 0, 0.0) == path.position);
+    CHECK(eye_at(path, 1, 0.0).x == Approx(120.0 * std::sin(radians(60.0))));
+    CHECK(eye_at(path, 3, 0.0).x == Approx(-120.0 * std::sin(radians(60.0))));
+    CHECK(eye_at(path, 5, 0.0) == eye_at(path, 1, 0.0));
 }
 
 TEST_CASE("a scene is built the same each time, finite, in range, and its frames are valid", "[demo][terrain]") {
