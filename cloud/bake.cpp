@@ -80,20 +80,20 @@ Box fractal_box(const Cloud& cloud, const LitParticles& lit) {
     return box;
 }
 
-BakedCloud bake(const Cloud& cloud, const Daylight& daylight) {
-    BakedCloud baked = bake(cloud, daylight, {});
+BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const ForEach& for_each) {
+    BakedCloud baked = bake(cloud, daylight, BakedCloud{}, for_each);
     if (cloud.particles.empty() && !cloud.box) return baked;
     const Box box = fractal_box(cloud, baked.lit);
     baked.fractal = std::make_shared<FractalFaces>(
         make_fractal(cloud.fractal, box.high - box.low,
-                     cloud.mode == Mode::Skirt ? FractalCode::Half : FractalCode::Factor));
+                     cloud.mode == Mode::Skirt ? FractalCode::Half : FractalCode::Factor, for_each));
     return baked;
 }
 
-BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const BakedCloud& before) {
+BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const BakedCloud& before, const ForEach& for_each) {
     check(cloud);
     check(daylight);
-    return {cloud, daylight, light_particles(cloud, daylight), before.fractal};
+    return {cloud, daylight, light_particles(cloud, daylight, for_each), before.fractal};
 }
 
 }  // namespace cloud

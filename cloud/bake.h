@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cloud/cloud.h"
+#include "cloud/for_each.h"
 #include "cloud/fractal.h"
 #include "cloud/vertex_light.h"
 
@@ -24,9 +25,10 @@ Box fractal_box(const Cloud& cloud, const LitParticles& lit);
 
 // Throws std::invalid_argument where a number of the cloud makes no sense: not finite, a radius of 0, a face that is
 // not a power of two, and so on.
-BakedCloud bake(const Cloud& cloud, const Daylight& daylight);
+BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const ForEach& for_each = one_by_one);
 
 // The same with the fractal of another bake, for which the cloud's fractal, box and mode must have been the same.
-BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const BakedCloud& before);
+BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const BakedCloud& before,
+                const ForEach& for_each = one_by_one);
 
 }  // namespace cloud

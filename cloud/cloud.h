@@ -103,7 +103,7 @@ struct Cloud {
     std::optional<Vec3> tint;
     std::vector<InnerLight> lights;
     // The box that the fractal is wrapped around. Absent: the particles' own; a cloud whose particles move needs one
-    // that stays. A box that turns makes the detail move; a second one, if there is one, takes from the alpha too.
+    // that stays. A box that turns makes the detail move; a second one, if there is one, acts after the first.
     std::optional<Box> box;
     std::optional<Turn> box_turn, second_box_turn;
 };

@@ -22,20 +22,29 @@ LatticePoint lattice_point(int face, int column, int row, int size) {
 }
 
 // Raw noise of all faces, one after the other.
-std::vector<float> evaluate_noise(const Fractal& fractal, Vec3 box_size) {
+std::vector<float> evaluate_noise(const Fractal& fractal, Vec3 box_size, const ForEach& for_each) {
     const int size      = fractal.face_size;
     const float longest = std::max({box_size.x, box_size.y, box_size.z, 1e-6f});
     const Vec3 scale    = box_size / longest * (fractal.cycles / static_cast<float>(std::max(size - 1, 1)));
-    std::vector<float> values;
-    values.reserve(static_cast<std::size_t>(kBoxFaces) * size * size);
-    for (int face = 0; face < kBoxFaces; ++face)
-        for (int row = 0; row < size; ++row)
-            for (int column = 0; column < size; ++column) {
-                const LatticePoint point = lattice_point(face, column, row, size);
-                const Vec3 p             = Vec3(point[0], point[1], point[2]) * scale;
-                values.push_back(fractal.noise == Noise::Billow ? billow(p, fractal.octaves, fractal.gain, fractal.seed)
-                                                                : fbm(p, fractal.octaves, fractal.gain, fractal.seed));
-            }
+    std::array<std::vector<float>, 3> coordinates;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < size; ++i)
+            coordinates[static_cast<std::size_t>(axis)].push_back(static_cast<float>(i) * scale[axis]);
+    const NoiseLattice lattice(coordinates, fractal.octaves);
+
+    const auto points = static_cast<std::size_t>(size);
+    std::vector<float> values(kBoxFaces * points * points);
+    for_each(kBoxFaces * points, [&](std::size_t i) {
+        const int face = static_cast<int>(i / points), row = static_cast<int>(i % points);
+        const LatticePoint start = lattice_point(face, 0, row, size);
+        const NoiseLattice::Point point{static_cast<std::size_t>(start[0]), static_cast<std::size_t>(start[1]),
+                                        static_cast<std::size_t>(start[2])};
+        const auto along               = static_cast<std::size_t>((face / 2 + 1) % 3);
+        const std::vector<float> noise = fractal.noise == Noise::Billow
+                                             ? lattice.billow_row(along, point, fractal.gain, fractal.seed)
+                                             : lattice.fbm_row(along, point, fractal.gain, fractal.seed);
+        std::copy(noise.begin(), noise.end(), values.begin() + static_cast<std::ptrdiff_t>(i * points));
+    });
     return values;
 }
 
@@ -111,8 +120,8 @@ int fractal_levels(int face_size) {
     return levels;
 }
 
-FractalFaces make_fractal(const Fractal& fractal, Vec3 box_size, FractalCode code) {
-    std::vector<float> values = evaluate_noise(fractal, box_size);
+FractalFaces make_fractal(const Fractal& fractal, Vec3 box_size, FractalCode code, const ForEach& for_each) {
+    std::vector<float> values = evaluate_noise(fractal, box_size, for_each);
     equalize(values);
     const std::size_t texels = static_cast<std::size_t>(fractal.face_size) * fractal.face_size;
     FractalFaces level, all;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cloud/cloud.h"
+#include "cloud/for_each.h"
 
 namespace cloud {
 
@@ -24,7 +25,8 @@ enum class FractalCode : std::uint8_t { Half, Factor };
 using FractalFaces = std::array<std::vector<std::uint8_t>, kBoxFaces>;
 
 // box_size: edges of the box in metres; only their ratio matters, and keeps the noise free of stretching.
-FractalFaces make_fractal(const Fractal& fractal, Vec3 box_size, FractalCode code);
+FractalFaces make_fractal(const Fractal& fractal, Vec3 box_size, FractalCode code,
+                          const ForEach& for_each = one_by_one);
 
 // The number of mip levels of a face.
 int fractal_levels(int face_size);

@@ -126,11 +126,17 @@ class Grower {
 float buried_share(const Particle& particle, std::span<const Particle> others) {
     constexpr int kLevel = 1;
     int buried           = 0;
+    std::vector<Vec4> near;  // centre, radius squared; the margin is wider than any rounding
+    for (const Particle& other : others) {
+        const Vec3 d      = particle.center - other.center;
+        const float reach = (particle.radius + other.radius) * 1.001f + 1e-6f * glm::length(other.center);
+        if (glm::dot(d, d) < reach * reach) near.emplace_back(other.center, other.radius * other.radius);
+    }
     for (std::uint32_t i = 0; i < icosphere_vertices(kLevel); ++i) {
         const Vec3 p = particle.center + icosphere().directions[i] * particle.radius;
-        buried += std::any_of(others.begin(), others.end(), [&](const Particle& other) {
-            const Vec3 d = p - other.center;
-            return glm::dot(d, d) < other.radius * other.radius;
+        buried += std::any_of(near.begin(), near.end(), [&](const Vec4& sphere) {
+            const Vec3 d = p - Vec3(sphere);
+            return glm::dot(d, d) < sphere.w;
         });
     }
     return static_cast<float>(buried) / static_cast<float>(icosphere_vertices(kLevel));

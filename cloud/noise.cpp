@@ -13,13 +13,18 @@ std::uint32_t mix(std::uint32_t h, std::int32_t coordinate) {
     return h ^ (h >> 15);
 }
 
-// The dot product of (x, y, z) with one of the 12 directions to the edges of a cube; 4 of them serve twice.
-float lattice_gradient(std::uint32_t hash, float x, float y, float z) {
+// One of the 12 directions to the edges of a cube; 4 of them serve twice.
+const float (&lattice_edge(std::uint32_t hash))[3] {
     static constexpr float kEdges[16][3] = {
         {1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {1, 0, 1}, {-1, 0, 1}, {1, 0, -1}, {-1, 0, -1},
         {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}, {1, 1, 0}, {0, -1, 1}, {-1, 1, 0}, {0, -1, -1},
     };
-    const auto& edge = kEdges[(hash * 0xc2b2ae35u) >> 28];
+    return kEdges[(hash * 0xc2b2ae35u) >> 28];
+}
+
+// Its dot product with (x, y, z).
+float lattice_gradient(std::uint32_t hash, float x, float y, float z) {
+    const auto& edge = lattice_edge(hash);
     return edge[0] * x + edge[1] * y + edge[2] * z;
 }
 
@@ -37,6 +42,17 @@ float lerp(float a, float b, float t) {
     return a + (b - a) * t;
 }
 
+// Shifted, so that the octaves' zeros at integer points do not coincide.
+constexpr Vec3 kOctaveShift(0.371f, 0.613f, 0.137f);
+
+std::uint32_t start_hash(std::uint32_t seed) {
+    return seed * 0x9e3779b1u + 0x7f4a7c15u;
+}
+
+float billow_of(float noise) {
+    return 1.0f - 2.0f * std::abs(noise);
+}
+
 template <class Octave>
 float sum_octaves(Vec3 p, int octaves, float gain, std::uint32_t seed, Octave&& octave) {
     float sum = 0.0f, amplitude = 1.0f, total = 0.0f;
@@ -44,8 +60,7 @@ float sum_octaves(Vec3 p, int octaves, float gain, std::uint32_t seed, Octave&& 
         sum += amplitude * octave(gradient_noise(p, seed + static_cast<std::uint32_t>(i)));
         total += amplitude;
         amplitude *= gain;
-        // Shifted, so that the octaves' zeros at integer points do not coincide.
-        p = p * 2.0f + Vec3(0.371f, 0.613f, 0.137f);
+        p = p * 2.0f + kOctaveShift;
     }
     return total > 0.0f ? sum / total : 0.0f;
 }
@@ -56,7 +71,7 @@ float gradient_noise(Vec3 p, std::uint32_t seed) {
     const std::int32_t x = floor_to_int(p.x), y = floor_to_int(p.y), z = floor_to_int(p.z);
     const float fx = p.x - static_cast<float>(x), fy = p.y - static_cast<float>(y), fz = p.z - static_cast<float>(z);
     const float u = fade(fx), v = fade(fy), w = fade(fz);
-    const std::uint32_t seeded = seed * 0x9e3779b1u + 0x7f4a7c15u;
+    const std::uint32_t seeded = start_hash(seed);
     float at_x[2], at_y[2];
     for (int dx : {0, 1}) {
         const std::uint32_t hash_x = mix(seeded, x + dx);
@@ -76,7 +91,132 @@ float fbm(Vec3 p, int octaves, float gain, std::uint32_t seed) {
 }
 
 float billow(Vec3 p, int octaves, float gain, std::uint32_t seed) {
-    return sum_octaves(p, octaves, gain, seed, [](float noise) { return 1.0f - 2.0f * std::abs(noise); });
+    return sum_octaves(p, octaves, gain, seed, billow_of);
+}
+
+NoiseLattice::NoiseLattice(const std::array<std::vector<float>, 3>& coordinates, int octaves)
+    : octaves_(static_cast<std::size_t>(octaves)) {
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<float> points = coordinates[static_cast<std::size_t>(axis)];
+        for (Octave& octave : octaves_) {
+            Axis& seen = octave[static_cast<std::size_t>(axis)];
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const std::int32_t cell = floor_to_int(points[i]);
+                if (seen.runs.empty() || seen.runs.back().cell != cell) seen.runs.push_back({cell, i, i});
+                ++seen.runs.back().end;
+                seen.cells.push_back(cell);
+                seen.places.push_back(points[i] - static_cast<float>(cell));
+                seen.weights.push_back(fade(seen.places.back()));
+            }
+            for (float& point : points) point = point * 2.0f + kOctaveShift[axis];
+        }
+    }
+}
+
+// As gradient_noise. An edge has two coordinates of 1 or -1 and one of 0, so its dot product is a single sum of two
+// numbers, and those of its terms that are the same all along the row can be added first.
+template <std::size_t kAlong, class Take>
+void NoiseLattice::for_each_noise(const Octave& axes, Point point, std::uint32_t seed, Take&& take) {
+    constexpr std::size_t kOther = kAlong == 0 ? 1 : 0, kLast = kAlong == 2 ? 1 : 2;
+    const std::int32_t cell_o = axes[kOther].cells[point[kOther]], cell_l = axes[kLast].cells[point[kLast]];
+    const float place_o = axes[kOther].places[point[kOther]], place_l = axes[kLast].places[point[kLast]];
+    const float weight_o = axes[kOther].weights[point[kOther]], weight_l = axes[kLast].weights[point[kLast]];
+    const std::uint32_t start = start_hash(seed);
+
+    // The four corners at one end of a cell of the row: [far along kOther][far along kLast].
+    struct Corner {
+        float slope, rest;
+    };
+    struct End {
+        Corner corners[2][2];
+    };
+    const auto end_at = [&](std::int32_t cell_along) {
+        End end;
+        for (int o : {0, 1})
+            for (int l : {0, 1}) {
+                std::int32_t cell[3];
+                cell[kAlong] = cell_along, cell[kOther] = cell_o + o, cell[kLast] = cell_l + l;
+                const auto& edge  = lattice_edge(mix(mix(mix(start, cell[0]), cell[1]), cell[2]));
+                end.corners[o][l] = {edge[kAlong], edge[kOther] * (place_o - static_cast<float>(o)) +
+                                                       edge[kLast] * (place_l - static_cast<float>(l))};
+            }
+        return end;
+    };
+    const Axis& row            = axes[kAlong];
+    const float* const places  = row.places.data();
+    const float* const weights = row.weights.data();
+    End near{}, far{};
+    const Run* before = nullptr;
+    for (const Run& run : row.runs) {
+        near   = before != nullptr && run.cell == before->cell + 1 ? far : end_at(run.cell);
+        far    = end_at(run.cell + 1);
+        before = &run;
+        for (std::size_t i = run.first; i < run.end; ++i) {
+            const float place = places[i], weight = weights[i];
+            const auto near_at = [&](int o, int l) {
+                return near.corners[o][l].slope * place + near.corners[o][l].rest;
+            };
+            const auto far_at = [&](int o, int l) {
+                return far.corners[o][l].slope * (place - 1.0f) + far.corners[o][l].rest;
+            };
+            // z first, then y, then x.
+            float noise;
+            if constexpr (kAlong == 2) {
+                const auto at_x = [&](int x) {
+                    return lerp(lerp(near_at(x, 0), far_at(x, 0), weight), lerp(near_at(x, 1), far_at(x, 1), weight),
+                                weight_l);
+                };
+                noise = lerp(at_x(0), at_x(1), weight_o);
+            } else if constexpr (kAlong == 1) {
+                const auto at_x = [&](int x) {
+                    return lerp(lerp(near_at(x, 0), near_at(x, 1), weight_l),
+                                lerp(far_at(x, 0), far_at(x, 1), weight_l), weight);
+                };
+                noise = lerp(at_x(0), at_x(1), weight_o);
+            } else {
+                noise = lerp(lerp(lerp(near_at(0, 0), near_at(0, 1), weight_l),
+                                  lerp(near_at(1, 0), near_at(1, 1), weight_l), weight_o),
+                             lerp(lerp(far_at(0, 0), far_at(0, 1), weight_l),
+                                  lerp(far_at(1, 0), far_at(1, 1), weight_l), weight_o),
+                             weight);
+            }
+            take(i, std::clamp(noise, -1.0f, 1.0f));
+        }
+    }
+}
+
+template <class OfNoise>
+std::vector<float> NoiseLattice::row(std::size_t along, Point point, float gain, std::uint32_t seed,
+                                     OfNoise&& of_noise) const {
+    std::vector<float> sums(octaves_.empty() ? 0 : octaves_[0][along].places.size(), 0.0f);
+    float* const values = sums.data();
+    float amplitude = 1.0f, total = 0.0f;
+    for (const Octave& axes : octaves_) {
+        const auto add = [=](std::size_t i, float noise) { values[i] += amplitude * of_noise(noise); };
+        switch (along) {
+            case 0:
+                for_each_noise<0>(axes, point, seed, add);
+                break;
+            case 1:
+                for_each_noise<1>(axes, point, seed, add);
+                break;
+            default:
+                for_each_noise<2>(axes, point, seed, add);
+        }
+        ++seed;
+        total += amplitude;
+        amplitude *= gain;
+    }
+    for (float& sum : sums) sum = sum / total;
+    return sums;
+}
+
+std::vector<float> NoiseLattice::fbm_row(std::size_t along, Point point, float gain, std::uint32_t seed) const {
+    return row(along, point, gain, seed, [](float noise) { return noise; });
+}
+
+std::vector<float> NoiseLattice::billow_row(std::size_t along, Point point, float gain, std::uint32_t seed) const {
+    return row(along, point, gain, seed, billow_of);
 }
 
 }  // namespace cloud

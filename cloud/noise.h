@@ -4,7 +4,10 @@
 // Noise", SIGGRAPH 2002, with a hash in place of the permutation table.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "cloud/cloud.h"
 
@@ -18,5 +21,40 @@ float fbm(Vec3 p, int octaves, float gain, std::uint32_t seed);
 
 // Octaves of 1 - 2|noise|: round lumps between sharp folds.
 float billow(Vec3 p, int octaves, float gain, std::uint32_t seed);
+
+// The same sums at the points of a lattice, a row at a time: the same bits, several times faster, for each coordinate is
+// looked at once, and a cell's gradients once for all points of a row in it.
+class NoiseLattice {
+  public:
+    // coordinates: those of the points along x, y and z, ascending.
+    NoiseLattice(const std::array<std::vector<float>, 3>& coordinates, int octaves);
+
+    // The points beside `point`, indices into the coordinates, along axis `along`: one value for each coordinate there.
+    using Point = std::array<std::size_t, 3>;
+    std::vector<float> fbm_row(std::size_t along, Point point, float gain, std::uint32_t seed) const;
+    std::vector<float> billow_row(std::size_t along, Point point, float gain, std::uint32_t seed) const;
+
+  private:
+    // Neighbouring coordinates in the same cell.
+    struct Run {
+        std::int32_t cell;
+        std::size_t first, end;
+    };
+    // Coordinates of one axis at one octave: their cells, places in them, and weights of the cells' far ends.
+    struct Axis {
+        std::vector<std::int32_t> cells;
+        std::vector<float> places, weights;
+        std::vector<Run> runs;
+    };
+    using Octave = std::array<Axis, 3>;
+
+    template <class OfNoise>
+    std::vector<float> row(std::size_t along, Point point, float gain, std::uint32_t seed, OfNoise&& of_noise) const;
+    // Calls take(index, noise) for each coordinate along the axis.
+    template <std::size_t kAlong, class Take>
+    static void for_each_noise(const Octave& axes, Point point, std::uint32_t seed, Take&& take);
+
+    std::vector<Octave> octaves_;
+};
 
 }  // namespace cloud

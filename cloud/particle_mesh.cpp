@@ -93,8 +93,8 @@ ParticleMesh shape_particle(const Cloud& cloud, std::size_t index) {
     for (const Vec3& d : sphere.directions) {
         const float lump = fbm(d * kLumpsPerRadius + offset, 2, 0.5f, cloud.fractal.seed);
         mesh.lumps.push_back(lump);
-        mesh.positions.push_back(
-            squash(particle.center + d * (particle.radius * (1.0f + cloud.lumpiness * lump)), cloud.base_y));
+        const Vec3 offset_m = particle.shape * (d * (particle.radius * (1.0f + cloud.lumpiness * lump)));
+        mesh.positions.push_back(squash(particle.center + offset_m, cloud.base_y));
     }
     // The sum of the triangles' normals, each as long as its triangle is large, follows lumps and base alike.
     mesh.normals.assign(mesh.positions.size(), Vec3(0.0f));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cloud/cloud.h"
+#include "cloud/for_each.h"
 
 namespace cloud {
 
@@ -29,7 +30,7 @@ struct LitParticles {
     Vec3 mean_color = Vec3(1.0f);              // light times colour, over all vertices
     Vec3 low = Vec3(0.0f), high = Vec3(0.0f);  // the box around all vertices
 };
-LitParticles light_particles(const Cloud& cloud, const Daylight& light);
+LitParticles light_particles(const Cloud& cloud, const Daylight& light, const ForEach& for_each = one_by_one);
 
 // exp(-x) for x >= 0, in a fixed order of products: relative error below 1e-6, and 0 beyond 40.
 float exp_of_minus(float x);

@@ -2,6 +2,7 @@
 #include "demo/bake_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -13,6 +14,7 @@ namespace {
 // Tangent of the half angle of the sun's disc; far wider than the real one, so that a shadow's edge spans some
 // vertices.
 constexpr float kSunSpread = 0.022f;
+constexpr float kLowestSun = 0.01f;  // sine of its elevation
 
 // Is the ray's horizontal passage through the ellipse below the column's top? The share is how deep it passes, softened
 // over half a metre, since a column's shadow is narrower than the grid resolves.
@@ -32,17 +34,52 @@ float sun_past_column(const ShadowColumn& column, const Vec3& point, const Vec3&
     return std::max(above_top, smooth_step(0.75f, 1.0f, miss));
 }
 
-float sun_past_terrain(const HeightField& terrain, const Vec3& point, const Vec3& to_sun) {
-    float share = 1.0f;
-    // Steps grow with the distance as the sun's cone does.
-    for (float t = 1.5f; t < 1500.0f; t = t * 1.16f + 0.8f) {
-        const Vec3 p = point + t * to_sun;
-        if (p.y > terrain.max_height()) break;
-        const float clearance = p.y - terrain.height_at(p.x, p.z);
+// Along a ray to the sun, in metres: steps grow with the distance as the sun's cone does.
+const std::vector<float>& sun_steps() {
+    static const std::vector<float> steps = [] {
+        std::vector<float> t;
+        for (float at = 1.5f; at < 1500.0f; at = at * 1.16f + 0.8f) t.push_back(at);
+        return t;
+    }();
+    return steps;
+}
+
+// From a point at height y; height_at(step): of the terrain below the ray.
+template <class HeightAt>
+float sun_over_heights(float y, float to_sun_y, float highest, HeightAt&& height_at) {
+    const std::vector<float>& steps = sun_steps();
+    float share                     = 1.0f;
+    for (std::size_t step = 0; step < steps.size(); ++step) {
+        const float t = steps[step], ray_y = y + t * to_sun_y;
+        if (ray_y > highest) break;
+        const float clearance = ray_y - height_at(step);
         share                 = std::min(share, 0.5f + 0.5f * clearance / (kSunSpread * t + 0.25f));
         if (share <= 0.0f) return 0.0f;
     }
     return smooth_step(0.0f, 1.0f, share);
+}
+
+constexpr float kDiagonal       = 0.70710678f;
+constexpr float kAzimuths[8][2] = {{1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
+                                   {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
+constexpr std::size_t kSkySteps = 6;
+constexpr auto kSkyDistances    = [] {
+    std::array<float, kSkySteps> t{3.0f};
+    for (std::size_t i = 1; i < t.size(); ++i) t[i] = t[i - 1] * 2.2f;
+    return t;
+}();
+
+// The mean over eight azimuths of 1 - sin(elevation of the horizon). height_at(azimuth, step): of the terrain there.
+template <class HeightAt>
+float sky_over_heights(float y, HeightAt&& height_at) {
+    float open = 0.0f;
+    for (std::size_t azimuth = 0; azimuth < std::size(kAzimuths); ++azimuth) {
+        float slope = 0.0f;
+        for (std::size_t step = 0; step < kSkySteps; ++step)
+            slope = std::max(slope, (height_at(azimuth, step) - y) / kSkyDistances[step]);
+        open += 1.0f - slope / std::sqrt(1.0f + slope * slope);
+    }
+    return open / 8.0f;
 }
 
 }  // namespace
@@ -56,8 +93,18 @@ ShadowCloud::ShadowCloud(const cloud::Cloud& casts) : cloud(&casts), center(0.0f
 }
 
 float sun_past_solids(const Surroundings& around, const Vec3& point, const Vec3& to_sun) {
-    if (to_sun.y <= 0.01f) return 0.0f;
-    float share = around.terrain == nullptr ? 1.0f : sun_past_terrain(*around.terrain, point, to_sun);
+    if (to_sun.y <= kLowestSun) return 0.0f;
+    const HeightField* terrain = around.terrain;
+    if (terrain == nullptr) return sun_past_columns(around, point, to_sun, 1.0f);
+    const auto height_at = [&](std::size_t step) {
+        const float t = sun_steps()[step];
+        return terrain->height_at(point.x + t * to_sun.x, point.z + t * to_sun.z);
+    };
+    const float share = sun_over_heights(point.y, to_sun.y, terrain->max_height(), height_at);
+    return sun_past_columns(around, point, to_sun, share);
+}
+
+float sun_past_columns(const Surroundings& around, const Vec3& point, const Vec3& to_sun, float share) {
     for (const ShadowColumn& column : around.columns) {
         if (share <= 0.0f) break;
         share = std::min(share, sun_past_column(column, point, to_sun));
@@ -88,20 +135,46 @@ float sun_past_clouds(const Surroundings& around, const Vec3& point, const Vec3&
     return kLeast + (1.0f - kLeast) / (1.0f + d + 0.5f * d * d);
 }
 
-// The mean over eight azimuths of 1 - sin(elevation of the horizon).
 float open_sky(const HeightField& terrain, const Vec3& point) {
-    constexpr float d              = 0.70710678f;
-    constexpr float kAzimuth[8][2] = {{1, 0}, {d, d}, {0, 1}, {-d, d}, {-1, 0}, {-d, -d}, {0, -1}, {d, -d}};
-    float open                     = 0.0f;
-    for (const auto& azimuth : kAzimuth) {
-        float slope = 0.0f;
-        for (float t = 3.0f; t < 200.0f; t *= 2.2f) {
-            const float rise = terrain.height_at(point.x + t * azimuth[0], point.z + t * azimuth[1]) - point.y;
-            slope            = std::max(slope, rise / t);
-        }
-        open += 1.0f - slope / std::sqrt(1.0f + slope * slope);
-    }
-    return open / 8.0f;
+    return sky_over_heights(point.y, [&](std::size_t azimuth, std::size_t step) {
+        const float t = kSkyDistances[step];
+        return terrain.height_at(point.x + t * kAzimuths[azimuth][0], point.z + t * kAzimuths[azimuth][1]);
+    });
+}
+
+GridLight::GridLight(const HeightField& terrain, const Vec3& to_sun) : terrain_(terrain), to_sun_(to_sun) {
+    for (int column = 0; column < HeightField::kPoints; ++column)
+        columns_.push_back(ways(terrain.x_at(column), to_sun.x, 0, [&](float x) { return terrain.along_x(x); }));
+}
+
+template <class Along>
+GridLight::Ways GridLight::ways(float from, float to_sun, std::size_t axis, Along&& along) {
+    Ways ways;
+    for (const float t : sun_steps()) ways.to_sun.push_back(along(from + t * to_sun));
+    for (const auto& azimuth : kAzimuths)
+        for (const float t : kSkyDistances) ways.around.push_back(along(from + t * azimuth[axis]));
+    return ways;
+}
+
+GridLight::Row::Row(const GridLight& light, int row)
+    : light_(light),
+      ways_(ways(light.terrain_.z_at(row), light.to_sun_.z, 1, [&](float z) { return light.terrain_.along_z(z); })) {}
+
+float GridLight::Row::sun_past_terrain(int column, float y) const {
+    if (light_.to_sun_.y <= kLowestSun) return 0.0f;
+    const HeightField& terrain = light_.terrain_;
+    const auto *x = light_.columns_[static_cast<std::size_t>(column)].to_sun.data(), *z = ways_.to_sun.data();
+    return sun_over_heights(y, light_.to_sun_.y, terrain.max_height(),
+                            [=, &terrain](std::size_t step) { return terrain.height_at(x[step], z[step]); });
+}
+
+float GridLight::Row::open_sky(int column, float y) const {
+    const HeightField& terrain = light_.terrain_;
+    const auto *x = light_.columns_[static_cast<std::size_t>(column)].around.data(), *z = ways_.around.data();
+    return sky_over_heights(y, [=, &terrain](std::size_t azimuth, std::size_t step) {
+        const std::size_t at = azimuth * kSkySteps + step;
+        return terrain.height_at(x[at], z[at]);
+    });
 }
 
 Vec3 light_of_day(const cloud::Daylight& light, const Vec3& normal, float sun, float sky) {

@@ -74,22 +74,32 @@ float inside_mesa(const Mesa& mesa, float x, float z) {
 
 // Low ledges: heights drawn towards multiples of `step`, with short steep risers between.
 float ledges(float height, float step) {
-    const float level = std::floor(height / step);
+    const auto level = static_cast<float>(floor_to_int(height / step));
     return step * (level + smooth_step(0.72f, 1.0f, height / step - level));
 }
 
-// Distance from the bed of a dry wash, which winds along the creases of slow noise.
-float from_wash(float x, float z, std::uint32_t seed) {
-    const float crease = std::abs(noise(x / 330.0f + 0.37f, z / 330.0f + 0.21f, seed + 30u)) * 330.0f;
-    return crease + 3.0f * noise(x / 26.0f, z / 26.0f, seed + 31u);
+// Distance from the bed of a dry wash, which winds along the creases of slow noise. Both noises: of the point over these
+// lengths, shifted.
+constexpr float kWashLength = 330.0f, kWashShiftX = 0.37f, kWashShiftZ = 0.21f, kWashEdgeLength = 26.0f;
+
+float from_wash(float noise, float edge_noise) {
+    const float crease = std::abs(noise) * kWashLength;
+    return crease + 3.0f * edge_noise;
 }
 
-float floor_height(float x, float z, std::uint32_t seed) {
-    const float swell = 5.0f * fractal_noise(x / 210.0f, z / 210.0f, 3, seed + 10u);
-    const float stone = ledges(swell + 0.8f * noise(x / 17.0f, z / 17.0f, seed + 20u), 1.7f);
-    const float sand  = 0.35f * noise(x / 9.0f, z / 9.0f, seed + 21u);
-    const float bank  = smooth_step(3.0f, 15.0f, from_wash(x, z, seed));
+// The noises: of the floor's swell, its stones and its sand.
+float floor_height(float swell_noise, float stone_noise, float sand_noise, float wash_m) {
+    const float swell = 5.0f * swell_noise;
+    const float stone = ledges(swell + 0.8f * stone_noise, 1.7f);
+    const float sand  = 0.35f * sand_noise;
+    const float bank  = smooth_step(3.0f, 15.0f, wash_m);
     return mix(-4.5f, 0.72f * stone + 0.28f * swell, bank) + sand;
+}
+
+std::vector<float> scaled(std::span<const float> values, float scale) {
+    std::vector<float> result(values.begin(), values.end());
+    for (float& value : result) value *= scale;
+    return result;
 }
 
 constexpr std::uint32_t kSeedStep = 101u;
@@ -98,47 +108,87 @@ constexpr std::uint32_t kSeedStep = 101u;
 
 float canyon_wash(const CanyonShape& shape, float x_m, float z_m) {
     const float scale = kLayoutSize / shape.size_m;
-    return 1.0f - smooth_step(4.0f, 20.0f, from_wash(x_m * scale, z_m * scale, shape.seed * kSeedStep));
-}
-
-float canyon_height(const CanyonShape& shape, float x_m, float z_m) {
-    const float scale = kLayoutSize / shape.size_m;
     const float x = x_m * scale, z = z_m * scale;
     const std::uint32_t seed = shape.seed * kSeedStep;
+    const float crease       = noise(x / kWashLength + kWashShiftX, z / kWashLength + kWashShiftZ, seed + 30u);
+    const float edge         = noise(x / kWashEdgeLength, z / kWashEdgeLength, seed + 31u);
+    return 1.0f - smooth_step(4.0f, 20.0f, from_wash(crease, edge));
+}
 
-    // Walls wander, are fluted by buttresses, and cut by gullies: all as one shift of the distance into the rock.
-    // Detail finer than the grid out there is left out.
-    const float from_middle = std::sqrt(x * x + z * z);
-    const float fine        = 1.0f - smooth_step(250.0f, 700.0f, from_middle);
-    const float wander      = 34.0f * fractal_noise(x / 115.0f, z / 115.0f, 3, seed + 40u);
-    const float buttresses  = 13.0f * (ridged_noise(x / 37.0f, z / 37.0f, 2, seed + 50u) - 0.6f);
-    const float clefts      = fine * 3.4f * (ridged_noise(x / 13.0f, z / 13.0f, 1, seed + 60u) - 0.6f);
-    const float shift       = wander + buttresses + clefts;
+CanyonHeights::CanyonHeights(const CanyonShape& shape, std::span<const float> x)
+    : scale_(kLayoutSize / shape.size_m),
+      height_scale_(shape.height_m / kLayoutHeight),
+      seed_(shape.seed * kSeedStep),
+      x_(scaled(x, scale_)),
+      wander_(noise_of(115.0f, 3)),
+      buttresses_(noise_of(37.0f, 2)),
+      clefts_(noise_of(13.0f)),
+      bays_(noise_of(520.0f, 4)),
+      scree_(noise_of(15.0f, 2)),
+      swell_(noise_of(210.0f, 3)),
+      stones_(noise_of(17.0f)),
+      sand_(noise_of(9.0f)),
+      wash_(noise_of(kWashLength, 1, kWashShiftX)),
+      wash_edge_(noise_of(kWashEdgeLength)) {}
 
+NoiseGrid CanyonHeights::noise_of(float length_m, int octaves, float shift) const {
+    std::vector<float> columns;
+    for (const float x : x_) columns.push_back(x / length_m + shift);
+    return NoiseGrid(columns, octaves);
+}
+
+void CanyonHeights::row(float z_m, std::span<float> heights) const {
+    const float z     = z_m * scale_;
+    const auto wander = wander_.fractal_row(z / 115.0f, seed_ + 40u), bays = bays_.fractal_row(z / 520.0f, seed_ + 80u);
+    const auto buttresses = buttresses_.ridged_row(z / 37.0f, seed_ + 50u);
+    const auto clefts = clefts_.ridged_row(z / 13.0f, seed_ + 60u), crowns = clefts_.noise_row(z / 13.0f, seed_ + 70u);
+    const auto swell = swell_.fractal_row(z / 210.0f, seed_ + 10u), stones = stones_.noise_row(z / 17.0f, seed_ + 20u);
+    const auto sand = sand_.noise_row(z / 9.0f, seed_ + 21u), scree = scree_.ridged_row(z / 15.0f, seed_ + 90u);
+    const auto wash      = wash_.noise_row(z / kWashLength + kWashShiftZ, seed_ + 30u);
+    const auto wash_edge = wash_edge_.noise_row(z / kWashEdgeLength, seed_ + 31u);
+
+    const auto is_beyond = [](const Mesa& mesa, float reach) {
+        return reach > 1.5f * (mesa.rx + mesa.rz) + 2.0f * kTalusWidth + 60.0f;
+    };
+    std::vector<Mesa> mesas;
+    for (const Mesa& mesa : kMesas)
+        if (!is_beyond(mesa, std::abs(z - mesa.z))) mesas.push_back(mesa);
+
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const float x           = x_[i];
+        // Walls wander, are fluted by buttresses, and cut by gullies: all as one shift of the distance into the rock.
+        // Detail finer than the grid out there is left out.
+        const float from_middle = std::sqrt(x * x + z * z);
+        const float fine        = 1.0f - smooth_step(250.0f, 700.0f, from_middle);
+        const float shift       = 34.0f * wander[i] + 13.0f * (buttresses[i] - 0.6f) + fine * 3.4f * (clefts[i] - 0.6f);
+
+        float height = 0.0f;
+        for (const Mesa& mesa : mesas) {
+            if (is_beyond(mesa, std::abs(x - mesa.x) + std::abs(z - mesa.z))) continue;
+            // Small towers keep their outline: the shift is bounded by their size.
+            const float strength = smooth_step(0.0f, 40.0f, std::min(mesa.rx, mesa.rz));
+            const float inside   = inside_mesa(mesa, x, z) + shift * mix(0.2f, 1.0f, strength);
+            height               = std::max(height, std::min(wall_height(inside), mesa.top + 1.2f * crowns[i]));
+        }
+        // The far rim: a plateau with bays, around the open ground.
+        const float distance = std::sqrt(x * x + 1.15f * z * z);
+        if (distance > 500.0f) {
+            const float inside = (distance - 1020.0f) * 0.6f + 420.0f * bays[i] + shift;
+            height             = std::max(height, 1.05f * wall_height(0.42f * inside));
+        }
+        const float ground = floor_height(swell[i], stones[i], sand[i], from_wash(wash[i], wash_edge[i]));
+        // Talus lies upon the floor; on top of walls the floor's relief fades.
+        const float relief = 1.0f - 0.75f * smooth_step(20.0f, 70.0f, height);
+        const float debris =
+            height > 2.0f && height < 40.0f ? 1.3f * scree[i] * smooth_step(2.0f, 12.0f, height) : 0.0f;
+        heights[i] = (height + debris + ground * relief) * height_scale_;
+    }
+}
+
+float canyon_height(const CanyonShape& shape, float x, float z) {
     float height = 0.0f;
-    for (const Mesa& mesa : kMesas) {
-        const float reach = std::abs(x - mesa.x) + std::abs(z - mesa.z);
-        if (reach > 1.5f * (mesa.rx + mesa.rz) + 2.0f * kTalusWidth + 60.0f) continue;
-        // Small towers keep their outline: the shift is bounded by their size.
-        const float strength = smooth_step(0.0f, 40.0f, std::min(mesa.rx, mesa.rz));
-        const float inside   = inside_mesa(mesa, x, z) + shift * mix(0.2f, 1.0f, strength);
-        const float crown    = 1.2f * noise(x / 13.0f, z / 13.0f, seed + 70u);
-        height               = std::max(height, std::min(wall_height(inside), mesa.top + crown));
-    }
-    // The far rim: a plateau with bays, around the open ground.
-    const float distance = std::sqrt(x * x + 1.15f * z * z);
-    if (distance > 500.0f) {
-        const float bays   = 420.0f * fractal_noise(x / 520.0f, z / 520.0f, 4, seed + 80u);
-        const float inside = (distance - 1020.0f) * 0.6f + bays + shift;
-        height             = std::max(height, 1.05f * wall_height(0.42f * inside));
-    }
-    const float ground = floor_height(x, z, seed);
-    // Talus lies upon the floor; on top of walls the floor's relief fades.
-    const float relief = 1.0f - 0.75f * smooth_step(20.0f, 70.0f, height);
-    const float scree  = height > 2.0f && height < 40.0f ? 1.3f * ridged_noise(x / 15.0f, z / 15.0f, 2, seed + 90u) *
-                                                              smooth_step(2.0f, 12.0f, height)
-                                                         : 0.0f;
-    return (height + scree + ground * relief) * (shape.height_m / kLayoutHeight);
+    CanyonHeights(shape, {&x, 1}).row(z, {&height, 1});
+    return height;
 }
 
 }  // namespace demo

@@ -10,6 +10,7 @@
 #include "demo/arguments.h"
 #include "demo/command_bench.h"
 #include "demo/command_dump.h"
+#include "demo/command_metrics.h"
 #include "demo/command_profiles.h"
 #include "demo/command_render.h"
 #include "demo/command_scenes.h"
@@ -22,7 +23,7 @@ namespace {
 
 // The arguments as they are written; they are read only once the command line as a whole is known to be well formed.
 struct Arguments {
-    std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile;
+    std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile, technique, mode;
 };
 
 template <class Read>
@@ -38,6 +39,21 @@ StatisticsFormat parse_statistics(const std::string& text) {
     if (text == "text") return StatisticsFormat::Text;
     if (text == "json") return StatisticsFormat::Json;
     throw std::runtime_error("--stats " + text + ": expected text or json");
+}
+
+Technique parse_technique(const std::string& text) {
+    if (text == "mega") return Technique::MegaParticles;
+    if (text == "sprites") return Technique::Sprites;
+    if (text == "slices") return Technique::Slices;
+    throw std::runtime_error("--technique " + text + ": expected mega, sprites or slices");
+}
+
+cloud::Mode parse_mode(const std::string& text) {
+    if (text == "skirt") return cloud::Mode::Skirt;
+    if (text == "article") return cloud::Mode::Article;
+    if (text == "premultiplied") return cloud::Mode::Premultiplied;
+    if (text == "black") return cloud::Mode::Black;
+    throw std::runtime_error("--mode " + text + ": expected skirt, article, premultiplied or black");
 }
 
 const pipeline::Profile& parse_profile(const std::string& name) {
@@ -80,6 +96,9 @@ CLI::App* add_render(CLI::App& app, Arguments& arguments) {
     command->add_option("--simd", arguments.simd, "The instruction set to draw with");
     command->add_flag("--stats{text}", arguments.statistics, "Print what each pass did: text or json");
     command->add_option("--profile", arguments.profile, "The chip to draw as: ideal");
+    command->add_option("--technique", arguments.technique, "What draws the clouds: mega, sprites or slices");
+    command->add_option("--mode", arguments.mode, "The clouds' rim: skirt, article, premultiplied or black");
+    command->add_flag("--order-free")->description("Draw all else before the clouds");
     command->callback([command, &arguments] {
         const auto is_given = [&](const char* name) { return command->count(name) > 0; };
         if (is_given("--profile")) check_drawn_profile(arguments.profile);
@@ -92,6 +111,9 @@ CLI::App* add_render(CLI::App& app, Arguments& arguments) {
         options.simd_target      = arguments.simd;
         if (is_given("--threads")) options.threads = parse_number("--threads", arguments.threads, 0, kMaxThreads);
         if (is_given("--stats")) options.statistics = parse_statistics(arguments.statistics);
+        if (is_given("--technique")) options.changes.technique = parse_technique(arguments.technique);
+        if (is_given("--mode")) options.changes.mode = parse_mode(arguments.mode);
+        if (is_given("--order-free")) options.changes.order = cloud::Order::OrderFree;
         render(options);
     });
     return command;
@@ -113,6 +135,27 @@ CLI::App* add_dump(CLI::App& app, Arguments& arguments) {
         dump(options);
     });
     return command;
+}
+
+void add_metrics(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("metrics", "Measure a scene's clouds: edges, blur, halo, fill, look");
+    command->add_option("SCENE", arguments.scene, "A built-in scene or a .toml file")->required();
+    command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels; 480x270 without");
+    command->add_option("--frame", arguments.frame, "Which frame of the animation");
+    command->add_option("--technique", arguments.technique, "What draws the clouds: mega, sprites or slices");
+    CLI::Option* json   = command->add_flag("--json")->description("Print JSON in place of a table");
+    CLI::Option* claims = command->add_flag("--claims")->description("Compare all techniques, as Markdown");
+    claims->excludes(json)->excludes(command->get_option("--technique"));
+    command->callback([command, &arguments] {
+        const auto is_given = [&](const char* name) { return command->count(name) > 0; };
+        MetricsOptions options{.scene = arguments.scene};
+        if (is_given("--size")) options.size = parse_size(arguments.size);
+        if (is_given("--frame")) options.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        if (is_given("--technique")) options.technique = parse_technique(arguments.technique);
+        if (is_given("--json")) options.format = MetricsFormat::Json;
+        if (is_given("--claims")) options.format = MetricsFormat::Claims;
+        report_metrics(options);
+    });
 }
 
 CLI::App* add_vectors(CLI::App& app, Arguments& arguments) {
@@ -157,6 +200,7 @@ void run_command_line(int argc, const char* const* argv) {
     app.require_subcommand(1);
     add_render(app, arguments);
     add_dump(app, arguments);
+    add_metrics(app, arguments);
     add_vectors(app, arguments);
     add_profiles(app, arguments);
     add_bench(app);

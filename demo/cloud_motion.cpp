@@ -20,6 +20,10 @@ cloud::Turn turned(double degrees) {
     return cloud::Turn(static_cast<float>(cosine(radians(degrees))), static_cast<float>(sine(radians(degrees))));
 }
 
+cloud::Mat3 stretching(const CloudPlan& plan) {
+    return {plan.stretch.x, 0.0f, 0.0f, 0.0f, plan.stretch.y, 0.0f, 0.0f, 0.0f, plan.stretch.z};
+}
+
 CloudKey key_at(const CloudPlan& plan, double seconds) {
     return plan.keys.empty() ? CloudKey{} : plan.keys.linear(seconds);
 }
@@ -44,6 +48,7 @@ std::vector<cloud::Particle> particles_at(const SceneCloud& scene_cloud, double 
     std::vector<cloud::Particle> particles =
         plan.stream ? stream_particles(*plan.stream, seconds) : scene_cloud.file->at(seconds);
     for (cloud::Particle& particle : particles) {
+        particle.shape  = stretching(plan) * particle.shape;
         particle.center = plan.position + plan.scale * particle.center;
         particle.radius *= plan.scale;
         particle.color *= plan.color;
@@ -79,7 +84,8 @@ cloud::Cloud grow_cloud(const CloudPlan& plan) {
 
     cloud::Cloud cloud = plan.settings;
     cloud.particles    = cloud::grow(cores, growth);
-    cloud.base_y       = plan.position.y + plan.scale * cloud.base_y;
+    for (cloud::Particle& particle : cloud.particles) particle.shape = stretching(plan);
+    cloud.base_y = plan.position.y + plan.scale * cloud.base_y;
     cloud.blur_m *= plan.scale;
     return cloud;
 }

@@ -19,7 +19,8 @@ struct CloudKey {
     Vec3 offset = Vec3(0.0f), color = Vec3(1.0f);
     float size = 1.0f, spread = 1.0f, opacity = 1.0f, dissolve = 0.0f;
     CloudKey operator+(const CloudKey& k) const {
-        return {offset + k.offset, color + k.color, size + k.size, spread + k.spread, opacity + k.opacity, dissolve + k.dissolve};
+        return {offset + k.offset, color + k.color,     size + k.size,
+                spread + k.spread, opacity + k.opacity, dissolve + k.dissolve};
     }
     CloudKey operator*(float f) const {
         return {offset * f, color * f, size * f, spread * f, opacity * f, dissolve * f};
@@ -50,6 +51,7 @@ struct CloudPlan {
     std::optional<FileReference> particle_file;
     Vec3 position = Vec3(0.0f);
     float scale   = 1.0f;
+    Vec3 stretch  = Vec3(1.0f);  // of each particle's axes: an anvil's are flat
     Vec3 color    = Vec3(1.0f);
     int crown = 0, rim = 0;     // particles to grow
     float jitter       = 0.0f;  // of their places and sizes

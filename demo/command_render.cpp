@@ -50,7 +50,7 @@ DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int ind
                 pipeline::Executor& executor, pipeline::Execution& execution) {
     DrawnFrame drawn{.index = index, .path = path, .passes = {}};
     const Clock::time_point start = Clock::now();
-    const pipeline::Frame frame   = source.frame(options.size, index);
+    const pipeline::Frame frame   = source.frame(options.size, index, options.changes);
     drawn.building_ms             = milliseconds_since(start);
 
     std::optional<PassPictures> pictures;
@@ -118,6 +118,7 @@ void check_paths(const RenderOptions& options, const std::string& output, const 
 
 void render(const RenderOptions& options) {
     choose_simd_target(options.simd_target);
+    preload_image_module();  // while the scene is built
     const FrameSource source(options.scene);
     const FrameRange frames    = options.frames.value_or(FrameRange{});
     const bool is_sequence     = frames.first != frames.last;

@@ -20,6 +20,7 @@ struct RenderOptions {
     std::optional<std::string> passes_directory;
     int threads = 0;          // 0: all cores
     std::string simd_target;  // "": the best
+    FrameOptions changes;     // of how the scene draws its clouds
     StatisticsFormat statistics = StatisticsFormat::None;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "demo/desert_floor.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,36 +24,32 @@ constexpr float kToSunU = 0.95f, kToSunV = 0.31f;
 // A slow function over the tile, kept at every fourth texel and linear between.
 class SlowField {
   public:
-    // value_of(u, v), both 0..1 across the tile.
-    template <class ValueOf>
-    explicit SlowField(ValueOf&& value_of) : values_(kColumns * kRows) {
-        for (int row = 0; row < kRows; ++row)
-            for (int column = 0; column < kColumns; ++column)
-                values_[row * kColumns + column] = value_of(static_cast<float>(column) / static_cast<float>(kColumns),
-                                                            static_cast<float>(row) / static_cast<float>(kRows));
+    // Fractal noise of square cells: `cells` down the tile, twice as many across.
+    SlowField(int cells, int octaves, std::uint32_t seed) : values_(kColumns * kRows) {
+        std::vector<float> across;
+        for (int column = 0; column < kColumns; ++column)
+            across.push_back(static_cast<float>(column) / static_cast<float>(kColumns) * static_cast<float>(2 * cells));
+        const NoiseGrid noise(across, octaves);
+        for (int row = 0; row < kRows; ++row) {
+            const float v    = static_cast<float>(row) / static_cast<float>(kRows);
+            const auto found = noise.fractal_row(v * static_cast<float>(cells), seed, {2 * cells, cells});
+            std::copy(found.begin(), found.end(), values_.begin() + row * kColumns);
+        }
     }
     float at(float x, float y) const {
         const float column = x * (1.0f / kStep), row = y * (1.0f / kStep);
-        const float left = std::floor(column), top = std::floor(row);
-        const int i = static_cast<int>(left) & (kColumns - 1), j = static_cast<int>(top) & (kRows - 1);
+        const int left = floor_to_int(column), top = floor_to_int(row);
+        const int i = left & (kColumns - 1), j = top & (kRows - 1);
         const int i1 = (i + 1) & (kColumns - 1), j1 = (j + 1) & (kRows - 1);
-        const float tx = column - left;
+        const float tx = column - static_cast<float>(left);
         return mix(mix(values_[j * kColumns + i], values_[j * kColumns + i1], tx),
-                   mix(values_[j1 * kColumns + i], values_[j1 * kColumns + i1], tx), row - top);
+                   mix(values_[j1 * kColumns + i], values_[j1 * kColumns + i1], tx), row - static_cast<float>(top));
     }
 
   private:
     static constexpr int kStep = 4, kColumns = kWidth / kStep, kRows = kHeight / kStep;
     std::vector<float> values_;
 };
-
-// Fractal noise of square cells: `cells` down the tile, twice as many across.
-SlowField slow_noise(int cells, int octaves, std::uint32_t seed) {
-    return SlowField([=](float u, float v) {
-        return fractal_noise(u * static_cast<float>(2 * cells), v * static_cast<float>(cells), octaves, seed,
-                             {2 * cells, cells});
-    });
-}
 
 // Something small that lies on the ground: a rounded body, lit from the sun's side, and its shade.
 struct Lump {
@@ -63,14 +61,12 @@ struct Lump {
 
 class Floor {
   public:
-    explicit Floor(std::uint32_t seed)
-        : seed_(seed), overgrown_(slow_noise(3, 4, seed + 40u)), pixels_(kWidth * kHeight) {}
+    explicit Floor(std::uint32_t seed) : seed_(seed), overgrown_(3, 4, seed + 40u), pixels_(kWidth * kHeight) {}
 
     void paint_sand() {
-        const SlowField slow = slow_noise(3, 4, seed_), rills = slow_noise(4, 2, seed_ + 10u),
-                        presence = slow_noise(2, 2, seed_ + 20u);
-        const SlowField pavement = slow_noise(3, 5, seed_ + 80u);
-        for (int y = 0; y < kHeight; ++y)
+        const SlowField slow(3, 4, seed_), rills(4, 2, seed_ + 10u), presence(2, 2, seed_ + 20u);
+        const SlowField pavement(3, 5, seed_ + 80u);
+        tbb::parallel_for(0, kHeight, [&](int y) {
             for (int x = 0; x < kWidth; ++x) {
                 const auto fx = static_cast<float>(x), fy = static_cast<float>(y);
                 const float tone  = slow.at(fx, fy);
@@ -87,15 +83,18 @@ class Floor {
                 color *= 1.0f + here * (0.11f * bed - 0.11f * bank);
                 pixels_[static_cast<std::size_t>(y * kWidth + x)] = color;
             }
+        });
     }
 
     void strew() {
-        const SlowField stony = slow_noise(4, 3, seed_ + 30u);
+        std::vector<Lump> lumps;
+        const auto lay = [&](const Lump& lump) { lumps.push_back(lump); };
+        const SlowField stony(4, 3, seed_ + 30u);
         strew_cells(160, seed_ + 50u, [&](float x, float y, float chance, float size, float tone) {
             const float density = smooth_step(0.05f, 0.65f, stony.at(x, y));
             if (chance > 0.04f + 0.5f * density) return;
             const Vec3 color = tone < 0.6f ? Vec3(0.80f, 0.70f, 0.68f) : Vec3(1.08f, 1.10f, 1.12f);
-            draw({x, y, (0.14f + 0.55f * size * size * size) * kTexelsPerMeter, color, 0.30f, 0.15f});
+            lay({x, y, (0.14f + 0.55f * size * size * size) * kTexelsPerMeter, color, 0.30f, 0.15f});
         });
         strew_cells(112, seed_ + 60u, [&](float x, float y, float chance, float size, float tone) {
             const float density = smooth_step(-0.1f, 0.6f, overgrown_.at(x, y));
@@ -105,7 +104,12 @@ class Floor {
                                 : tone < 0.80f ? Vec3(0.40f, 0.54f, 0.46f)
                                                : Vec3(0.92f, 1.02f, 0.86f);
             const float large = size * size * size;
-            draw({x, y, (0.22f + (0.35f + 0.5f * density) * large) * kTexelsPerMeter, color, 0.26f, 0.35f});
+            lay({x, y, (0.22f + (0.35f + 0.5f * density) * large) * kTexelsPerMeter, color, 0.26f, 0.35f});
+        });
+        // Each band of rows takes all lumps in their order, for they lie upon one another.
+        constexpr int kBandRows = 32;
+        tbb::parallel_for(0, kHeight / kBandRows, [&](int band) {
+            for (const Lump& lump : lumps) draw(lump, band * kBandRows, (band + 1) * kBandRows);
         });
     }
 
@@ -129,14 +133,17 @@ class Floor {
             }
     }
 
-    void draw(const Lump& lump) {
+    // Its part in rows first_row <= y < end_row.
+    void draw(const Lump& lump, int first_row, int end_row) {
         const float reach = 2.2f * lump.radius + 1.0f;
         const int x0 = static_cast<int>(std::floor(lump.x - reach)), x1 = static_cast<int>(lump.x + reach) + 1;
         const int y0 = static_cast<int>(std::floor(lump.y - reach)), y1 = static_cast<int>(lump.y + reach) + 1;
         const float soft = 0.5f / lump.radius;  // half a texel
-        for (int y = y0; y <= y1; ++y)
+        for (int y = y0; y <= y1; ++y) {
+            const int row = y & (kHeight - 1);
+            if (row < first_row || row >= end_row) continue;
             for (int x = x0; x <= x1; ++x) {
-                Vec3& pixel    = pixels_[static_cast<std::size_t>((y & (kHeight - 1)) * kWidth + (x & (kWidth - 1)))];
+                Vec3& pixel    = pixels_[static_cast<std::size_t>(row * kWidth + (x & (kWidth - 1)))];
                 const float dx = (static_cast<float>(x) - lump.x) / lump.radius;
                 const float dy = (static_cast<float>(y) - lump.y) / lump.radius;
                 // The shade is the body's, moved away from the sun and stretched.
@@ -152,6 +159,7 @@ class Floor {
                 const float inside = 1.0f - smooth_step(0.9f - soft, 1.0f + soft, from_middle);
                 pixel += (lump.color * lit - pixel) * inside;
             }
+        }
     }
 
     std::uint32_t seed_;

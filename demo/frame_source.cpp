@@ -59,13 +59,19 @@ FrameSource::FrameSource(const std::string& scene) : argument_(scene), name_(fs:
     }
 }
 
-pipeline::Frame FrameSource::frame(std::optional<Size> size, int index) const {
+pipeline::Frame FrameSource::frame(std::optional<Size> size, int index, const FrameOptions& options) const {
     if (dumped_) {
+        const auto refuse = [&](bool is_given, const char* option) {
+            if (is_given) throw std::runtime_error(std::string(option) + ": " + argument_ + " is a dumped frame");
+        };
+        refuse(options.technique != Technique::MegaParticles, "--technique");
+        refuse(options.mode.has_value(), "--mode");
+        refuse(options.order.has_value(), "--order-free");
         if (size) throw std::runtime_error("--size: " + argument_ + " is a dumped frame and has its own size");
         if (index != 0) throw std::runtime_error("--frames: " + argument_ + " is a single dumped frame");
         return *dumped_;
     }
-    pipeline::Frame frame = scene_frame(*scene_, size.value_or(default_size(*scene_)), index);
+    pipeline::Frame frame = scene_frame(*scene_, size.value_or(default_size(*scene_)), index, options);
     require_valid(argument_, frame);
     return frame;
 }

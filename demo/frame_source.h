@@ -19,8 +19,8 @@ class FrameSource {
     const std::string& name() const { return name_; }
     bool is_dumped_frame() const { return dumped_.has_value(); }
 
-    // A dumped frame has no other size than its own and no other frame than itself.
-    pipeline::Frame frame(std::optional<Size> size, int index) const;
+    // A dumped frame has no other size than its own, no other frame than itself, and no options.
+    pipeline::Frame frame(std::optional<Size> size, int index, const FrameOptions& options = {}) const;
 
   private:
     std::string argument_, name_;

@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -48,9 +49,12 @@ pipeline::ColorImage decode(const std::vector<unsigned char>& bytes) {
     try {
         return read_image(memory.path());
     } catch (const std::runtime_error& error) {
-        // Without the path, which nobody has named.
-        const std::string line = error.what();
-        throw std::runtime_error(line.substr(line.find(": ") + 2));
+        // Without the path, which nobody has named: it stands in front, and in the library's own words.
+        std::string line       = error.what();
+        const std::string path = memory.path();
+        line.erase(0, path.size() + 2);
+        if (const std::size_t at = line.find(path); at != std::string::npos) line.replace(at, path.size(), "a picture");
+        throw std::runtime_error(line);
     }
 }
 

@@ -1,26 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "demo/height_field.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace demo {
 
-HeightField::HeightField(Vec2 center, Vec2 half_size, const std::function<float(float, float)>& height_of)
+HeightField::HeightField(Vec2 center, Vec2 half_size, const std::function<RowOf(std::span<const float>)>& rows_of)
     : center_(center), half_size_(half_size), x_(kPoints), z_(kPoints), heights_(kPoints * kPoints) {
     for (int i = 0; i < kPoints; ++i) {
         const float offset = warp(static_cast<float>(2 * i - kCells) / static_cast<float>(kCells));
         x_[i]              = center.x + half_size.x * offset;
         z_[i]              = center.y + half_size.y * offset;
     }
-    for (int row = 0; row < kPoints; ++row)
-        for (int column = 0; column < kPoints; ++column)
-            heights_[row * kPoints + column] = height_of(x_[column], z_[row]);
+    const RowOf set_row = rows_of(x_);
+    tbb::parallel_for(0, kPoints, [&](int row) {
+        set_row(z_[row], std::span(heights_).subspan(static_cast<std::size_t>(row * kPoints), kPoints));
+    });
     const auto [low, high] = std::minmax_element(heights_.begin(), heights_.end());
     min_height_            = *low;
     max_height_            = *high;
 }
+
+HeightField::HeightField(Vec2 center, Vec2 half_size, const std::function<float(float, float)>& height_of)
+    : HeightField(center, half_size, [&height_of](std::span<const float> x) {
+          return [&height_of, x](float z, std::span<float> heights) {
+              for (std::size_t column = 0; column < x.size(); ++column) heights[column] = height_of(x[column], z);
+          };
+      }) {}
 
 float HeightField::warp(float s) {
     return s * (kCenterDensity + (1.0f - kCenterDensity) * std::abs(s));
@@ -33,20 +43,10 @@ float HeightField::unwarp(float offset) {
     return offset < 0.0f ? -s : s;
 }
 
-float HeightField::height_at(float x, float z) const {
-    const auto grid_coordinate = [](float offset) {
-        return (unwarp(std::clamp(offset, -1.0f, 1.0f)) + 1.0f) * (0.5f * static_cast<float>(kCells));
-    };
-    const float u    = grid_coordinate((x - center_.x) / half_size_.x);
-    const float v    = grid_coordinate((z - center_.y) / half_size_.y);
-    const int column = std::clamp(static_cast<int>(u), 0, kCells - 1);
-    const int row    = std::clamp(static_cast<int>(v), 0, kCells - 1);
-    const float du = u - static_cast<float>(column), dv = v - static_cast<float>(row);
-    const float* near_row = &heights_[row * kPoints + column];
-    const float* far_row  = near_row + kPoints;
-    const float near_z    = near_row[0] + (near_row[1] - near_row[0]) * du;
-    const float far_z     = far_row[0] + (far_row[1] - far_row[0]) * du;
-    return near_z + (far_z - near_z) * dv;
+HeightField::GridCoordinate HeightField::grid_coordinate(float offset) {
+    const float u  = (unwarp(std::clamp(offset, -1.0f, 1.0f)) + 1.0f) * (0.5f * static_cast<float>(kCells));
+    const int cell = std::clamp(static_cast<int>(u), 0, kCells - 1);
+    return {cell, u - static_cast<float>(cell)};
 }
 
 Vec3 HeightField::normal(int column, int row) const {

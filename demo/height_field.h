@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "pipeline/frame/math_types.h"
@@ -21,7 +22,11 @@ class HeightField {
     static constexpr int kPoints          = kCells + 1;
     static constexpr float kCenterDensity = 0.2f;
 
-    // height_of is asked once for each point of the grid.
+    // Makes what sets the heights of a row, once for all columns; that is asked once for each row, for several at once.
+    using RowOf = std::function<void(float z, std::span<float> heights)>;
+    HeightField(Vec2 center, Vec2 half_size, const std::function<RowOf(std::span<const float> x)>& rows_of);
+
+    // height_of is asked once for each point of the grid, for several at once.
     HeightField(Vec2 center, Vec2 half_size, const std::function<float(float x, float z)>& height_of);
 
     float x_at(int column) const { return x_[column]; }
@@ -33,11 +38,28 @@ class HeightField {
     float min_height() const { return min_height_; }
 
     // Bilinear between grid points; outside the rectangle, the height of its border.
-    float height_at(float x, float z) const;
+    float height_at(float x, float z) const { return height_at(along_x(x), along_z(z)); }
+
+    // A coordinate in the grid: the cell's first column or row, and the share of the next. Whoever asks for the heights of
+    // many points in a row finds the row's once.
+    struct GridCoordinate {
+        int cell;
+        float share;
+    };
+    GridCoordinate along_x(float x) const { return grid_coordinate((x - center_.x) / half_size_.x); }
+    GridCoordinate along_z(float z) const { return grid_coordinate((z - center_.y) / half_size_.y); }
+    float height_at(const GridCoordinate& x, const GridCoordinate& z) const {
+        const float* near_row = &heights_[z.cell * kPoints + x.cell];
+        const float* far_row  = near_row + kPoints;
+        const float near_z    = near_row[0] + (near_row[1] - near_row[0]) * x.share;
+        const float far_z     = far_row[0] + (far_row[1] - far_row[0]) * x.share;
+        return near_z + (far_z - near_z) * z.share;
+    }
 
   private:
     static float warp(float s);
     static float unwarp(float offset);
+    static GridCoordinate grid_coordinate(float offset);
 
     Vec2 center_, half_size_;
     std::vector<float> x_, z_, heights_;

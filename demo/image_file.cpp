@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <future>
 #include <new>
 #include <stdexcept>
 
@@ -82,6 +83,17 @@ std::string extension_of(const std::string& path) {
 }
 
 }  // namespace
+
+void preload_image_module() {
+    // The program's end waits for it too.
+    static const std::future<void> loading = std::async(std::launch::async, [] {
+        try {
+            module();
+        } catch (const std::exception&) {
+            // The next call of module() tries again, and throws where it can be told.
+        }
+    });
+}
 
 pipeline::ColorImage read_image(const std::string& path) {
     return read_with<pipeline::ColorImage>(module().read_pixels, &pipeline::ColorImage::pixels, path);

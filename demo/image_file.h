@@ -12,6 +12,10 @@
 
 namespace demo {
 
+// Begins to load the module beside what the caller does next. Never fails: whoever needs the module waits for it, and
+// learns what is wrong with it.
+void preload_image_module();
+
 // Any file OpenImageIO reads, as 0xAARRGGBB with alpha 255 where the file has none; grey fills all three channels.
 pipeline::ColorImage read_image(const std::string& path);
 

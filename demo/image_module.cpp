@@ -233,7 +233,7 @@ int encode_pixels(const char* extension, const std::uint32_t* pixels, int width,
     const bool associates = channels == 4 && std::string_view(output->format_name()) == "openexr";
     OIIO::ImageSpec spec(width, height, channels, associates ? OIIO::TypeHalf : OIIO::TypeUInt8);
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    spec.attribute("png:compressionLevel", 6);
+    spec.attribute("png:compressionLevel", 2);  // a quarter of the time of 6, for a file a tenth larger
     spec.attribute("CompressionQuality", 95);
     MemoryFile file(*output);
     const bool is_written = output->open(file.path(extension), spec) &&

@@ -58,18 +58,20 @@ std::vector<cloud::Particle> stream_particles(const ParticleStream& stream, doub
         const auto varied                 = [&](float value, int which) {
             return value * (1.0f + stream.irregularity * habit(stream, i, life.birth, which));
         };
-        const double turn  = i * kGoldenAngle + radians(stream.swirl_deg) * life.age_s;
-        const float height = stream.in_ball ? 1.0f - 2.0f * (static_cast<float>(i) + 0.5f) /
-                                                         static_cast<float>(stream.count)
-                                            : 0.0f;
-        const float level  = std::sqrt(1.0f - height * height), spread = varied(stage.spread, 0);
+        const double turn = i * kGoldenAngle + radians(stream.swirl_deg) * life.age_s;
+        const float height =
+            stream.in_ball ? 1.0f - 2.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(stream.count) : 0.0f;
+        const float level = std::sqrt(1.0f - height * height), spread = varied(stage.spread, 0);
         cloud::Particle particle;
-        particle.center = Vec3(spread * level * static_cast<float>(cosine(turn)),
-                               spread * height + varied(stage.height, 1), spread * level * static_cast<float>(sine(turn)));
-        particle.radius = life.there ? std::max(varied(stage.radius, 2), kLeastRadius) : kLeastRadius;
-        particle.alpha  = life.there ? std::clamp(stage.alpha, 0.0f, 1.0f) : 0.0f;
-        if (!stream.color.empty()) particle.color = stream.color.linear(age);
-        if (!stream.glow.empty()) particle.glow = stream.glow.linear(age);
+        particle.center =
+            Vec3(spread * level * static_cast<float>(cosine(turn)), spread * height + varied(stage.height, 1),
+                 spread * level * static_cast<float>(sine(turn)));
+        particle.radius      = life.there ? std::max(varied(stage.radius, 2), kLeastRadius) : kLeastRadius;
+        particle.alpha       = life.there ? std::clamp(stage.alpha, 0.0f, 1.0f) : 0.0f;
+        // Some cool down sooner than others.
+        const double hue_age = age * (1.0 + 0.35 * stream.irregularity * habit(stream, i, life.birth, 3));
+        if (!stream.color.empty()) particle.color = stream.color.linear(hue_age);
+        if (!stream.glow.empty()) particle.glow = stream.glow.linear(hue_age);
         particles.push_back(particle);
 
         // It rolls outwards as it rises, as smoke does.
@@ -80,6 +82,9 @@ std::vector<cloud::Particle> stream_particles(const ParticleStream& stream, doub
             cloud::Particle child = particle;
             child.radius          = std::max(particle.radius * size, kLeastRadius);
             child.center += direction * (particle.radius * kBumpSeat);
+            const double bump_age =
+                hue_age * (1.0 + 0.5 * stream.irregularity * (2.0 * hash_unit(bump, i, stream.seed + 2) - 1.0));
+            if (!stream.glow.empty()) child.glow = stream.glow.linear(bump_age);
             child.generation = 2;
             particles.push_back(child);
         }

@@ -20,8 +20,8 @@ using pipeline::Vec3;
 //   Burst   all are born at the start, once
 struct ParticleStream {
     enum class Birth : std::uint8_t { Steady, Fill, Burst } birth = Birth::Steady;
-    int count     = 24;
-    double life_s = 6.0;
+    int count                                                     = 24;
+    double life_s                                                 = 6.0;
     // By age. spread: from the axis, or in a ball from the middle in all directions; height above the cloud's position.
     struct Stage {
         float spread = 0.0f, height = 0.0f, radius = 1.0f, alpha = 1.0f;
@@ -32,8 +32,8 @@ struct ParticleStream {
     };
     Track<Stage> stages;
     Track<Vec3> color, glow;  // by age as well; empty: white, none
-    bool in_ball    = false;
-    float swirl_deg = 0.0f;
+    bool in_ball       = false;
+    float swirl_deg    = 0.0f;
     // Smaller ones around each, in its own surface, rolling with it.
     int bumps          = 0;
     float bump_radius  = 0.45f;  // over the particle's

@@ -45,11 +45,11 @@ enum class Technique : std::uint8_t { MegaParticles, Sprites, Slices };
 // What a picture of the scene is changed in, for comparisons and measurements.
 struct FrameOptions {
     Technique technique = Technique::MegaParticles;
-    std::optional<cloud::Mode> mode;          // of all clouds
-    std::optional<cloud::Order> order;        // of all clouds; OrderFree draws them after all else
+    std::optional<cloud::Mode> mode;           // of all clouds
+    std::optional<cloud::Order> order;         // of all clouds; OrderFree draws them after all else
     std::optional<pipeline::Vec3> flat_scene;  // all but the clouds in one colour; depth as it was
     bool has_clouds = true, has_detail = true;
-    std::optional<std::size_t> only_cloud;  // of the scene's, counted from 0
+    std::optional<std::size_t> only_cloud;           // of the scene's, counted from 0
     pipeline::Vec2 shift_px = pipeline::Vec2(0.0f);  // of the picture: the projection's middle moves
 };
 

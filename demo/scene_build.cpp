@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "demo/scene_build.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -10,6 +14,7 @@
 #include "demo/noise.h"
 #include "demo/sky.h"
 #include "demo/solids.h"
+#include "demo/stars.h"
 #include "demo/surface_texture.h"
 #include "demo/terrain.h"
 #include "demo/texture_pyramid.h"
@@ -41,12 +46,15 @@ TexturedRange append_solid(SceneGeometry& geometry, const Solid& solid, const Su
     const SolidMesh mesh   = solid_mesh(solid);
     const auto first       = static_cast<std::uint32_t>(geometry.vertices.size());
     const auto first_index = static_cast<std::uint32_t>(geometry.indices.size());
-    for (const SolidVertex& from : mesh.vertices)
-        geometry.vertices.push_back(
-            {.position = from.position,
-             .normal   = from.normal,
-             .diffuse  = solid_color(solid.color, from.position, from.normal, from.open_sky, around, light),
-             .uv0      = from.uv_m / tile_m});
+    geometry.vertices.resize(first + mesh.vertices.size());
+    tbb::parallel_for(std::size_t{0}, mesh.vertices.size(), [&](std::size_t i) {
+        const SolidVertex& from      = mesh.vertices[i];
+        geometry.vertices[first + i] = {
+            .position = from.position,
+            .normal   = from.normal,
+            .diffuse  = solid_color(solid.color, from.position, from.normal, from.open_sky, around, light),
+            .uv0      = from.uv_m / tile_m};
+    });
     for (const std::uint32_t index : mesh.indices) geometry.indices.push_back(first + index);
     return {first_index, static_cast<std::uint32_t>(mesh.indices.size()), texture};
 }
@@ -74,31 +82,27 @@ std::vector<TexturedRange> append_mesh(SceneGeometry& geometry, const SceneMesh&
     return ranges;
 }
 
-SceneCloud build_cloud(const CloudPlan& plan, const cloud::Daylight& light, double last_s) {
+// All of a cloud but its light.
+SceneCloud build_cloud(const CloudPlan& plan, double last_s) {
     SceneCloud cloud{.plan = plan, .grown = grow_cloud(plan), .file = {}, .baked = {}};
     if (plan.particle_file) cloud.file = std::make_shared<const ParticleFile>(*plan.particle_file);
     if (reshapes(plan)) cloud.grown.box = box_over_time(cloud, last_s);
-    cloud.baked = cloud::bake(cloud_at(cloud, 0.0), light);
     return cloud;
 }
 
-}  // namespace
-
-Scene build_scene(SceneDescription description) {
-    Scene scene;
-    const double last_s = (description.frames - 1) / description.fps;
-    for (const CloudPlan& plan : description.clouds) scene.clouds.push_back(build_cloud(plan, description.light, last_s));
-
+// All that stands still. The clouds cast their shadows.
+SceneGeometry build_geometry(const SceneDescription& description, const std::vector<cloud::Cloud>& clouds) {
     std::optional<HeightField> field;
     if (description.terrain) field.emplace(terrain_heights(*description.terrain));
 
     Surroundings around{.terrain = field ? &*field : nullptr, .columns = {}, .clouds = {}};
-    for (const SceneCloud& cloud : scene.clouds) around.clouds.emplace_back(cloud.baked.cloud);
+    for (const cloud::Cloud& cloud : clouds) around.clouds.emplace_back(cloud);
     for (const Solid& solid : description.solids)
         for (const ShadowColumn& column : shadow_columns(solid)) around.columns.push_back(column);
 
-    SceneGeometry& geometry = scene.geometry;
-    geometry.sky            = append_sky_dome(geometry, description.sky, description.light.to_sun);
+    SceneGeometry geometry;
+    geometry.sky   = append_sky_dome(geometry, description.sky, description.light.to_sun);
+    geometry.stars = append_stars(geometry, description.sky, description.light.to_sun);
     if (field) append_terrain(geometry, *description.terrain, *field, around, description.light);
     for (std::size_t i = 0; i < description.solids.size(); ++i) {
         const Solid& solid  = description.solids[i];
@@ -115,6 +119,29 @@ Scene build_scene(SceneDescription description) {
     for (const SceneMesh& mesh : description.meshes)
         for (const TexturedRange& range : append_mesh(geometry, mesh, around, description.light))
             (mesh.front ? geometry.solids_in_front : geometry.solids_behind).push_back({range});
+    return geometry;
+}
+
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
+    tbb::parallel_for(std::size_t{0}, count, work);
+}
+
+}  // namespace
+
+Scene build_scene(SceneDescription description) {
+    Scene scene;
+    const double last_s = (description.frames - 1) / description.fps;
+    std::vector<cloud::Cloud> clouds;  // as they are at first
+    for (const CloudPlan& plan : description.clouds) {
+        scene.clouds.push_back(build_cloud(plan, last_s));
+        clouds.push_back(cloud_at(scene.clouds.back(), 0.0));
+    }
+    tbb::parallel_invoke(
+        [&] {
+            for (std::size_t i = 0; i < clouds.size(); ++i)
+                scene.clouds[i].baked = cloud::bake(clouds[i], description.light, on_all_cores);
+        },
+        [&] { scene.geometry = build_geometry(description, clouds); });
     scene.description = std::move(description);
     return scene;
 }

@@ -49,6 +49,7 @@ struct Sky {
     Vec3 zenith  = Vec3(0.13f, 0.32f, 0.66f);
     Vec3 horizon = Vec3(0.80f, 0.845f, 0.89f);
     Vec3 glow    = Vec3(0.22f, 0.17f, 0.10f);  // added around the sun
+    int stars    = 0;
 };
 
 // Haze that hides all at end_m. color: the sky's horizon, if absent.
@@ -133,7 +134,7 @@ struct SceneGeometry {
     std::vector<pipeline::Texture> textures;
     std::vector<pipeline::Vertex> vertices;
     std::vector<std::uint32_t> indices;
-    TexturedRange sky;  // a unit dome around the eye
+    TexturedRange sky, stars;  // unit domes around the eye
     TerrainBlocks terrain;
     std::vector<MovingRange> solids_behind, solids_in_front;
 };

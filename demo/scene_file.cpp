@@ -79,6 +79,7 @@ void read_sky(TableReader reader, Sky& sky) {
     reader.read("zenith", sky.zenith, kShare);
     reader.read("horizon", sky.horizon, kShare);
     reader.read("glow", sky.glow, kShare);
+    reader.read("stars", sky.stars, 0, 100000);
     reader.finish("[sky]");
 }
 

@@ -104,11 +104,12 @@ void read_particles(TableReader& reader, CloudPlan& plan) {
     if (auto stream = reader.table("stream")) plan.stream = read_stream(*stream);
     FileReference file;
     if (reader.read("particles", file)) plan.particle_file = file;
-    const int ways = !plan.cores.empty() + plan.cumulus.has_value() + plan.stream.has_value() +
-                     plan.particle_file.has_value();
+    const int ways =
+        !plan.cores.empty() + plan.cumulus.has_value() + plan.stream.has_value() + plan.particle_file.has_value();
     if (ways != 1)
-        reader.fail("cores", "must hold one core or more, each [x, y, z, radius]; or cloud.generate, cloud.stream or "
-                             "cloud.particles stand in its place, one of them");
+        reader.fail("cores",
+                    "must hold one core or more, each [x, y, z, radius]; or cloud.generate, cloud.stream or "
+                    "cloud.particles stand in its place, one of them");
     if (plan.stream || plan.particle_file) return;
     reader.read("crown", plan.crown, 0, kMaxParticlesPerCloud);
     reader.read("rim", plan.rim, 0, kMaxParticlesPerCloud);
@@ -157,6 +158,7 @@ CloudPlan read_cloud(TableReader reader) {
         cloud.detail = static_cast<cloud::Detail>(*detail);
     reader.read("position", plan.position, kCoordinate);
     reader.read("scale", plan.scale, {0.001, 1000.0});
+    reader.read("stretch", plan.stretch, {0.05, 20.0});
     reader.read("color", plan.color, kShare);
     reader.read("seed", plan.seed);
     read_particles(reader, plan);
@@ -166,6 +168,9 @@ CloudPlan read_cloud(TableReader reader) {
     reader.read("opacity", cloud.opacity, kShare);
     reader.read("absorption", cloud.absorption, {0.0, 100.0});
     reader.read("lumpiness", cloud.lumpiness, {0.0, 0.5});
+    bool order_free = false;
+    reader.read("order_free", order_free);
+    if (order_free) cloud.order = cloud::Order::OrderFree;
     reader.read("dissolve", cloud.dissolve, kShare);
     reader.read("displacement", cloud.displacement, {0.0, 10.0});
     reader.read("tint", cloud.tint, kShare);

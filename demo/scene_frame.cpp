@@ -9,6 +9,7 @@
 #include "cloud/baselines/slice_cloud.h"
 #include "cloud/baselines/sprite_cloud.h"
 #include "cloud/mega_particles/mega_particles.h"
+#include "cloud/merge.h"
 #include "demo/camera_matrices.h"
 #include "demo/cloud_motion.h"
 #include "demo/scene.h"
@@ -169,7 +170,7 @@ class SceneFrame {
         const cloud::SceneTargets targets{.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = fog()};
         switch (options_.technique) {
             case Technique::MegaParticles:
-                return cloud::append_mega_particles(frame_, targets, view_, clouds);
+                return cloud::append_mega_particles(frame_, targets, view_, cloud::merge_touching(std::move(clouds)));
             case Technique::Sprites:
                 return cloud::append_sprite_clouds(frame_, targets, view_, clouds);
             case Technique::Slices:
@@ -188,12 +189,15 @@ class SceneFrame {
     // The dome goes with the eye, behind all else: last of what is opaque, where nothing nearer hides it. It is as far
     // as the camera sees in any direction.
     void sky() {
-        pl::Pass& pass         = add_pass("sky");
-        pass.state.depth       = {.func = pl::CompareFunc::LessEqual, .write = false};
-        pl::DrawTriangles dome = draw_of(geometry_.sky, -1);
-        dome.world             = Mat4(static_cast<float>(0.999 * about_.camera.far_m));
-        dome.world[3]          = pipeline::Vec4(eye_, 1.0f);
-        pass.draws.emplace_back(dome);
+        pl::Pass& pass   = add_pass("sky");
+        pass.state.depth = {.func = pl::CompareFunc::LessEqual, .write = false};
+        for (const TexturedRange& range : {geometry_.sky, geometry_.stars}) {
+            if (range.index_count == 0) continue;
+            pl::DrawTriangles dome = draw_of(range, -1);
+            dome.world             = Mat4(static_cast<float>(0.999 * about_.camera.far_m));
+            dome.world[3]          = pipeline::Vec4(eye_, 1.0f);
+            pass.draws.emplace_back(dome);
+        }
     }
 
     // Near blocks first, so that what they hide costs a depth test only; walls before the ground, which takes two

@@ -37,12 +37,15 @@ TexturedRange append_sky_dome(SceneGeometry& geometry, const Sky& sky, const Vec
                                 0.5f,  0.58f,  0.67f,  0.76f,  0.85f,  0.93f, 0.98f,  1.0f};
     const auto first_vertex  = static_cast<std::uint32_t>(geometry.vertices.size());
     const auto first_index   = static_cast<std::uint32_t>(geometry.indices.size());
+    Vec2 azimuths[kSides + 1];
+    for (int side = 0; side <= kSides; ++side) {
+        const double angle = 2.0 * kPi * (side % kSides) / kSides;
+        azimuths[side]     = {static_cast<float>(cosine(angle)), static_cast<float>(sine(angle))};
+    }
     for (const float elevation : kRings) {
         const float level = std::sqrt(1.0f - elevation * elevation);
-        for (int side = 0; side <= kSides; ++side) {
-            const double angle = 2.0 * kPi * (side % kSides) / kSides;
-            const Vec3 direction(level * static_cast<float>(cosine(angle)), elevation,
-                                 level * static_cast<float>(sine(angle)));
+        for (const Vec2& azimuth : azimuths) {
+            const Vec3 direction(level * azimuth.x, elevation, level * azimuth.y);
             pipeline::Vertex vertex;
             vertex.position = direction;
             vertex.normal   = -direction;

@@ -153,15 +153,20 @@ SpireGrid spire_points(const SpireShape& shape, int cells) {
     const int cap     = cells / 16;  // rows on the top
     SpireGrid grid{cells, {}};
     grid.vertices.reserve(static_cast<std::size_t>((cells + 1) * (cells + 1)));
+    // The seam is at -z, the side turned away from the camera's start; clockwise from above, so rightwards from outside
+    // is counter-clockwise.
+    std::vector<Vec2> directions;
+    for (int column = 0; column <= cells; ++column) {
+        const double angle = 2.0 * kPi * (column % cells) / cells;
+        directions.emplace_back(static_cast<float>(-sine(angle)), static_cast<float>(-cosine(angle)));
+    }
     for (int row = 0; row <= cells; ++row) {
         const float inward = row < cap ? static_cast<float>(row) / static_cast<float>(cap) : 1.0f;
         const float height = row < cap ? 1.0f : 1.0f - static_cast<float>(row - cap) / static_cast<float>(cells - cap);
         for (int column = 0; column <= cells; ++column) {
-            // The seam is at -z, the side turned away from the camera's start; clockwise from above, so rightwards from
-            // outside is counter-clockwise.
             const float turn   = static_cast<float>(column % cells) / static_cast<float>(cells);
-            const double angle = 2.0 * kPi * (column % cells) / cells;
-            const auto s = static_cast<float>(-sine(angle)), c = static_cast<float>(-cosine(angle));
+            const float s      = directions[static_cast<std::size_t>(column)].x,
+                        c      = directions[static_cast<std::size_t>(column)].y;
             // From a circle towards a rounded square: 1 / (s^4 + c^4)^(1/4) reaches the corners.
             const float square = 1.0f / std::sqrt(std::sqrt(s * s * s * s + c * c * c * c));
             float cleft        = 0.0f;

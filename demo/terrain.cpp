@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "demo/terrain.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -57,22 +59,25 @@ Surface light_surface(const HeightField& field, const Surroundings& around, cons
     constexpr int kPoints = HeightField::kPoints;
     Surface surface;
     for (auto* values : {&surface.sun, &surface.sky, &surface.shade}) values->resize(kPoints * kPoints);
-    for (int row = 0; row < kPoints; ++row) {
+    const GridLight grid(field, light.to_sun);
+    tbb::parallel_for(0, kPoints, [&](int row) {
+        const GridLight::Row grid_row(grid, row);
         for (int column = 0; column < kPoints; ++column) {
             const int i        = row * kPoints + column;
             const Vec3 point   = field.point(column, row) + Vec3(0.0f, 0.15f, 0.0f);
             const Vec3 normal  = field.normal(column, row);
             // A point turned away from the sun needs no search.
             const float facing = normal.x * light.to_sun.x + normal.y * light.to_sun.y + normal.z * light.to_sun.z;
-            surface.sun[i]     = facing <= 0.0f ? 0.0f : sun_past_solids(around, point, light.to_sun);
+            if (facing > 0.0f) {
+                const float share = grid_row.sun_past_terrain(column, point.y);
+                surface.sun[i]    = sun_past_columns(around, point, light.to_sun, share);
+            }
             if (surface.sun[i] > 0.0f) surface.sun[i] *= sun_past_clouds(around, point, light.to_sun);
             surface.shade[i] = surface.sun[i] * std::max(facing, 0.0f);
+            // The sky's share varies slowly: found at every second point, and half-way between at the others.
+            if (row % 2 == 0 && column % 2 == 0) surface.sky[i] = grid_row.open_sky(column, field.height(column, row));
         }
-    }
-    // The sky's share varies slowly: found at every second point, and half-way between at the others.
-    for (int row = 0; row < kPoints; row += 2)
-        for (int column = 0; column < kPoints; column += 2)
-            surface.sky[row * kPoints + column] = open_sky(field, field.point(column, row));
+    });
     for (int row = 0; row < kPoints; row += 2)
         for (int column = 1; column < kPoints; column += 2) {
             const int i    = row * kPoints + column;
@@ -133,8 +138,13 @@ HeightField terrain_heights(const Terrain& terrain) {
     const float half = 0.5f * terrain.size_m;
     if (!terrain.height_map) {
         const CanyonShape shape = canyon_shape(terrain);
-        return HeightField(terrain.center, {half, half}, [&](float x, float z) {
-            return terrain.base_y + canyon_height(shape, x - terrain.center.x, z - terrain.center.y);
+        return HeightField(terrain.center, {half, half}, [&](std::span<const float> x) -> HeightField::RowOf {
+            std::vector<float> from_middle(x.begin(), x.end());
+            for (float& column : from_middle) column -= terrain.center.x;
+            return [&, canyon = CanyonHeights(shape, from_middle)](float z, std::span<float> heights) {
+                canyon.row(z - terrain.center.y, heights);
+                for (float& height : heights) height = terrain.base_y + height;
+            };
         });
     }
     const HeightMap map = checked_height_map(*terrain.height_map);
@@ -153,22 +163,22 @@ void append_terrain(SceneGeometry& geometry, const Terrain& terrain, const Heigh
     const bool has_rock     = terrain.walls.kind != SurfaceTexture::Kind::None;
     const Tints tints(terrain);
 
-    std::vector<TerrainPoint> points;
-    points.reserve(mesh.points.size());
-    for (const std::uint32_t index : mesh.points) {
-        const int column = static_cast<int>(index) % HeightField::kPoints;
-        const int row    = static_cast<int>(index) / HeightField::kPoints;
+    std::vector<TerrainPoint> points(mesh.points.size());
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        const std::uint32_t index = mesh.points[i];
+        const int column          = static_cast<int>(index) % HeightField::kPoints;
+        const int row             = static_cast<int>(index) / HeightField::kPoints;
         const Vec3 p = field.point(column, row), normal = field.normal(column, row);
         const Vec3 arrives = light_of_day(light, normal, surface.sun[index], surface.sky[index]);
-        points.push_back({.column       = column,
-                          .row          = row,
-                          .position     = p,
-                          .normal       = normal,
-                          .ground_light = arrives * tints.ground(p, normal),
-                          .rock_light   = arrives * tints.rock(p),
-                          .rock         = has_rock ? rock_share(normal) : 0.0f,
-                          .faces_z      = faces_z(field, p)});
-    }
+        points[i]          = {.column       = column,
+                              .row          = row,
+                              .position     = p,
+                              .normal       = normal,
+                              .ground_light = arrives * tints.ground(p, normal),
+                              .rock_light   = arrives * tints.rock(p),
+                              .rock         = has_rock ? rock_share(normal) : 0.0f,
+                              .faces_z      = faces_z(field, p)};
+    });
 
     TextureLibrary textures(geometry);
     const TerrainTiles tiles{.ground_m = textures.tile_size(terrain.ground, terrain.ground_tile_m),

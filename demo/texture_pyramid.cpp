@@ -57,27 +57,24 @@ Picture resample(const Picture& source, int width, int height) {
     return result;
 }
 
-Picture half_size(const Picture& source) {
-    Picture half{std::max(source.width / 2, 1), std::max(source.height / 2, 1), {}};
-    half.pixels.reserve(static_cast<std::size_t>(half.width) * half.height);
-    for (int y = 0; y < half.height; ++y) {
-        const int y0 = std::min(2 * y, source.height - 1), y1 = std::min(2 * y + 1, source.height - 1);
-        for (int x = 0; x < half.width; ++x) {
-            const int x0 = std::min(2 * x, source.width - 1), x1 = std::min(2 * x + 1, source.width - 1);
-            const std::uint32_t four[] = {source.at(x0, y0), source.at(x1, y0), source.at(x0, y1), source.at(x1, y1)};
-            half.pixels.push_back(for_each_channel([&](int shift) {
-                return (channel(four[0], shift) + channel(four[1], shift) + channel(four[2], shift) +
-                        channel(four[3], shift) + 2) /
-                       4;
-            }));
-        }
-    }
-    return half;
+void append_texels(const Picture& picture, std::vector<std::uint8_t>& texels) {
+    for (const std::uint32_t pixel : picture.pixels)
+        for (int shift = 0; shift < 32; shift += 8) texels.push_back(static_cast<std::uint8_t>(channel(pixel, shift)));
 }
 
-void append_texels(const Picture& level, std::vector<std::uint8_t>& texels) {
-    for (const std::uint32_t pixel : level.pixels)
-        for (int shift = 0; shift < 32; shift += 8) texels.push_back(static_cast<std::uint8_t>(channel(pixel, shift)));
+// From a level of width x height texels the next: half as wide and high, 1 at least.
+void halve(const std::uint8_t* source, int width, int height, std::uint8_t* half) {
+    const int right = width > 1 ? 4 : 0, below = height > 1 ? 4 * width : 0;  // to the texel beside
+    for (int y = 0; y < std::max(height / 2, 1); ++y) {
+        const std::uint8_t* upper = source + static_cast<std::ptrdiff_t>(2 * y) * below;
+        const std::uint8_t* lower = upper + below;
+        for (int x = 0; x < std::max(width / 2, 1); ++x)
+            for (int i = 0; i < 4; ++i) {
+                const int at = 2 * x * right + i;
+                *half++ =
+                    static_cast<std::uint8_t>((upper[at] + upper[at + right] + lower[at] + lower[at + right] + 2) / 4);
+            }
+    }
 }
 
 }  // namespace
@@ -101,12 +98,20 @@ pipeline::Texture texture_pyramid(std::string name, int width, int height, std::
                               .height = level.height,
                               .levels = 1,
                               .texels = {}};
-    texture.texels.reserve(static_cast<std::size_t>(level.width) * level.height * 6);
+    const auto bytes = [&](int of_width, int of_height) { return 4 * static_cast<std::size_t>(of_width) * of_height; };
+    std::size_t size = bytes(level.width, level.height);
+    for (int w = level.width, h = level.height; w > 1 || h > 1; ++texture.levels) {
+        w = std::max(w / 2, 1), h = std::max(h / 2, 1);
+        size += bytes(w, h);
+    }
+    texture.texels.reserve(size);
     append_texels(level, texture.texels);
-    while (level.width > 1 || level.height > 1) {
-        level = half_size(level);
-        append_texels(level, texture.texels);
-        ++texture.levels;
+    level.pixels = {};
+    texture.texels.resize(size);
+    std::uint8_t* texels = texture.texels.data();
+    for (int w = level.width, h = level.height; w > 1 || h > 1; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
+        halve(texels, w, h, texels + bytes(w, h));
+        texels += bytes(w, h);
     }
     return texture;
 }

@@ -29,8 +29,8 @@ class Track {
     // Through the keys without a corner: cubic Hermite, with the slope at a key that of the straight line between its
     // neighbours (Catmull-Rom, for times that need not be even).
     T smooth(double seconds) const {
-        const Place at  = place(seconds);
-        const float t   = at.share, t2 = t * t, t3 = t2 * t;
+        const Place at = place(seconds);
+        const float t = at.share, t2 = t * t, t3 = t2 * t;
         const auto span = static_cast<float>(time(at.key + 1) - time(at.key));
         return value(at.key) * (2.0f * t3 - 3.0f * t2 + 1.0f) + slope(at.key) * (span * (t3 - 2.0f * t2 + t)) +
                value(at.key + 1) * (3.0f * t2 - 2.0f * t3) + slope(at.key + 1) * (span * (t3 - t2));
@@ -53,7 +53,7 @@ class Track {
     double time(std::size_t key) const { return seconds_[clamped(key)]; }
     T slope(std::size_t key) const {
         const std::size_t before = key == 0 ? 0 : key - 1, after = clamped(key + 1);
-        const double span        = time(after) - time(before);
+        const double span = time(after) - time(before);
         return span > 0.0 ? (value(after) - value(before)) * static_cast<float>(1.0 / span) : value(key) * 0.0f;
     }
 

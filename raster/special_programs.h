@@ -72,6 +72,15 @@ constexpr FillProgram without_alpha(FillProgram program) {
     program.writes = Writes::Some;
     return program;
 }
+// Where bit 7 of the alpha that is there is set.
+constexpr FillProgram masked(FillProgram program) {
+    program.dest_alpha_test = DestAlphaTest::One;
+    return without_alpha(program);
+}
+constexpr FillProgram not_clear(FillProgram program) {
+    program.alpha_func = Compare::Greater;
+    return program;
+}
 constexpr FillProgram texture(FillProgram program, int stage, TextureProgram how) {
     program.textures[stage] = how;
     return program;
@@ -104,11 +113,26 @@ inline constexpr CombineStage kTexelAsItIs{select(kTexel), select(kTexel)};
 inline constexpr CombineStage kLitTexel{modulate(kTexel, kDiffuse), select(kConstant)};
 inline constexpr CombineStage kDetail{{CombineOp::Modulate2X, kTexel, kCurrent, {}}, select(kCurrent)};
 inline constexpr CombineStage kSplat{modulate(kTexel, kDiffuse), {CombineOp::Modulate4X, kTexel, kDiffuse, {}}};
+inline constexpr CombineStage kTintedTexel{modulate(kTexel, kConstant), modulate(kTexel, kConstant)};
+inline constexpr CombineStage kDissolvedTexel{modulate(kTexel, kConstant),
+                                              {CombineOp::Subtract, kTexel, kConstant, {}}};
+inline constexpr CombineStage kTexelFaded{select(kTexel), modulate(kTexel, kConstant)};
+inline constexpr CombineStage kAlphaOfTexel{select(kCurrent), modulate(kTexel, kConstant)};
+inline constexpr CombineStage kSoftDisc{select(kDiffuse), modulate(kTexel, kDiffuse)};
+inline constexpr CombineStage kLayer{select(kTexel), modulate(kTexel, kDiffuse)};
 inline constexpr CombineStage kErosion{select(kCurrent), {CombineOp::AddSigned2X, kTexel, kCurrent, {}}};
 
 inline constexpr FillProgram kLandscape = depth(fogged(lit(stages(kLitTexel))), Compare::LessEqual, true);
 inline constexpr FillProgram kDetailed  = depth(fogged(lit(stages(kLitTexel, kDetail))), Compare::LessEqual, true);
-inline constexpr FillProgram kSplatted  = over(depth(fogged(lit(stages(kSplat))), Compare::LessEqual, false));
+constexpr FillProgram veil(CombineStage stage, TextureProgram how) {
+    FillProgram program = not_clear(over(depth(fogged(lit(stages(stage))), Compare::LessEqual, false)));
+    return texture(program, 0, how);
+}
+// A cloud that is read at its own texel, with the fractal of a box's side.
+constexpr FillProgram eroded(CombineStage cloud) {
+    return texture(texture(stages(cloud, kErosion), 0, kPoint), 1, kFractal);
+}
+inline constexpr FillProgram kSplatted = over(depth(fogged(lit(stages(kSplat))), Compare::LessEqual, false));
 
 }  // namespace special
 
@@ -123,15 +147,25 @@ inline constexpr std::array kTrianglePrograms{
     // Mega-particles and their skirt.
     special::depth(special::fogged(special::vertex_color()), Compare::LessEqual, true),
     special::depth(special::fogged(special::vertex_color()), Compare::LessEqual, false),
-    // Fractal boxes: eroding, multiplying.
-    special::over(special::texture(
-        special::texture(special::stages(special::kTexelAsItIs, special::kErosion), 0, special::kPoint), 1,
-        special::kFractal)),
+    // The mask of their rim.
+    special::alpha_only(special::depth(special::vertex_color(), Compare::LessEqual, false)),
+    // Fractal boxes: eroding, at once over the scene or first into a target of its own; multiplying.
+    special::over(special::eroded(special::kTexelAsItIs)),
+    special::over(special::eroded(special::kDissolvedTexel)),
+    special::eroded(special::kTexelAsItIs),
+    special::eroded(special::kDissolvedTexel),
     special::alpha_only(special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kFractal),
                                          kZero, special::kSourceColor)),
     special::alpha_only(
         special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kFlatFractal), kZero,
                          special::kSourceColor)),
+    // Displaced alpha.
+    special::over(special::texture(
+        special::texture(special::stages(special::kTintedTexel, special::kAlphaOfTexel), 0, special::kPoint), 1,
+        special::kLinear)),
+    // What mega-particles are compared with: sprites, slices of a volume.
+    special::veil(special::kSoftDisc, special::kFlatFractal),
+    special::veil(special::kLayer, special::kLinear),
 };
 
 inline constexpr std::array kRectanglePrograms{
@@ -140,10 +174,12 @@ inline constexpr std::array kRectanglePrograms{
     special::texture(special::stages(special::kTexelAsItIs), 0, special::kPoint),
     special::texture(special::stages({special::select(special::kTexel), special::select(special::kConstant)}), 0,
                      special::kPoint),
-    special::over(special::texture(
-        special::stages({special::select(special::kTexel), special::modulate(special::kTexel, special::kConstant)}), 0,
-        special::kPoint)),
+    special::over(special::texture(special::stages(special::kTexelFaded), 0, special::kPoint)),
     special::over(special::texture(special::stages(special::kTexelAsItIs), 0, special::kPoint)),
+    // The same, and a plain colour, where a mask allows it; making the mask.
+    special::masked(special::over(special::texture(special::stages(special::kTexelFaded), 0, special::kPoint))),
+    special::masked(special::over(special::vertex_color())),
+    special::alpha_only(special::vertex_color()),
     // Plain colours.
     special::vertex_color(),
     special::depth(special::vertex_color(), Compare::LessEqual, true),

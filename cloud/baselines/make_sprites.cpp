@@ -9,6 +9,7 @@
 
 #include "cloud/baselines/soft_disc.h"
 #include "cloud/baselines/sprite_cloud.h"
+#include "cloud/baselines/surface_color.h"
 #include "cloud/particle_mesh.h"
 
 namespace cloud {
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int kMostSprites      = 100'000;
 constexpr float kFarthestOut    = 0.7f;   // of a puff's middle, over its particle's radius
-constexpr float kSmallestCore   = 0.7f;   // over the particle's radius
+constexpr float kSmallestCore   = 0.55f;  // over the particle's radius
 constexpr float kLightSmoothing = 0.12f;  // over the greatest particle's radius
 constexpr int kLightLevel       = 1;      // of the icosphere: its vertices are close enough together
 
@@ -126,7 +127,7 @@ SpriteCloud make_sprites(const BakedCloud& baked, const SpriteOptions& options) 
         sprite.center   = squash(particle.center + particle.shape * (offset * particle.radius), cloud.base_y);
         sprite.center.y = std::max(sprite.center.y, cloud.base_y + 0.95f * core);  // the base stays flat
         sprite.radius   = core / kSoftDiscCore;
-        sprite.color    = light.mean_near(sprite.center) * particle.color + particle.glow;
+        sprite.color    = surface_color(cloud, particle, light.mean_near(sprite.center));
         sprite.alpha    = options.opacity * particle.alpha;
         sprite.cosine   = static_cast<float>(azimuth.cosine);
         sprite.sine     = static_cast<float>(azimuth.sine);

@@ -3,11 +3,11 @@
 // nearest to the line of sight, blended over the scene from back to front (SRCALPHA, INVSRCALPHA), with z test and no z
 // write. A chip needs no volume texture for it, but memory for three stacks (slice_volume.h): 3 MiB for 64 slices.
 //
-// What makes the comparison fair: the volume is that of the very particles that mega-particles draw, with the cloud's own
-// fractal on its rim and the same baked light in every texel; the blend is what marching a ray through it gives. What
-// the technique cannot do stays: detail ends at a texel; the picture changes at once where the line of sight turns past
-// 45 degrees and another stack is drawn; seen at an angle, a ray meets no more slices than straight on, up to 1.4 times
-// too few; things that stand in the cloud cut each slice off sharply; each pixel is blended many times over.
+// What makes the comparison fair: the volume is that of the very particles that mega-particles draw, with the cloud's
+// own fractal on its rim and the same baked light in every texel; the blend is what marching a ray through it gives.
+// What the technique cannot do stays: detail ends at a texel; the picture changes at once where the line of sight turns
+// past 45 degrees and another stack is drawn; seen at an angle, a ray meets no more slices than straight on, up to 1.7
+// times too few; things that stand in the cloud cut each slice off sharply; each pixel is blended many times over.
 #pragma once
 
 #include <span>

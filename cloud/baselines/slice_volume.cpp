@@ -11,6 +11,8 @@
 #include <string>
 #include <utility>
 
+#include "cloud/baselines/surface_color.h"
+#include "cloud/bounds.h"
 #include "cloud/mega_particles/cloud_draw.h"
 #include "cloud/noise.h"
 #include "cloud/particle_mesh.h"
@@ -47,22 +49,22 @@ class Cells {
   public:
     Cells(const BakedCloud& baked, const SliceOptions& options)
         : baked_(baked), size_(options.size), n_(static_cast<std::size_t>(size_)) {
-        const Cloud& cloud   = baked.cloud;
+        const Cloud& cloud = baked.cloud;
+        float greatest     = 0.0f;
+        for (const Particle& particle : cloud.particles) greatest = std::max(greatest, particle.radius);
+        extinction_          = options.coverage / greatest;
         const Vec3 extent    = baked.lit.high - baked.lit.low;
-        const float longest  = std::max({extent.x, extent.y, extent.z});
+        const float longest  = std::max({extent.x, extent.y, extent.z, greatest});
         rim_m_               = std::max(cloud.blur_m, longest / static_cast<float>(size_));
         const float room     = (1.0f + kNoiseAmplitude) * rim_m_;  // as far as the noise carries the rim
         low_                 = baked.lit.low - room;
-        high_                = baked.lit.high + room;
-        step_                = (high_ - low_) / static_cast<float>(size_);
+        step_                = (extent + 2.0f * room) / static_cast<float>(size_);
+        high_                = low_ + step_ * static_cast<float>(size_);
         cycles_per_metre_    = cloud.fractal.cycles / longest;
         const float coarsest = std::max({step_.x, step_.y, step_.z});
         for (float cells = 1.0f / (cycles_per_metre_ * coarsest); octaves_ < cloud.fractal.octaves && cells >= 2.0f;
              cells *= 0.5f)
             ++octaves_;
-        float greatest = 0.0f;
-        for (const Particle& particle : cloud.particles) greatest = std::max(greatest, particle.radius);
-        extinction_ = options.coverage / greatest;
         find_nearest();
     }
 
@@ -86,8 +88,8 @@ class Cells {
         return low_ + (Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)) + 0.5f) * step_;
     }
 
-    // Distances are measured in a particle's unit ball and taken times its radius. A particle is tried where its rim, and
-    // what filtering mixes with that, can be.
+    // Distances are measured in a particle's unit ball and taken times its radius. A particle is tried where its rim
+    // can be, and what filtering mixes with that.
     void find_nearest() {
         nearest_.resize(n_ * n_ * n_);
         const float base_y = baked_.cloud.base_y;
@@ -127,7 +129,7 @@ class Cells {
         if (nearest.distance_m > rim_m_ + reach) return 0.0f;
         float noise = 0.0f;
         if (octaves_ > 0 && nearest.distance_m > -rim_m_ - reach) {
-            const Vec3 at = point * cycles_per_metre_;
+            const Vec3 at = (point - low_) * cycles_per_metre_;  // moves with the cloud
             noise = fractal.noise == Noise::Billow ? billow(at, octaves_, fractal.gain, fractal.seed) - kBillowMean
                                                    : fbm(at, octaves_, fractal.gain, fractal.seed);
         }
@@ -146,7 +148,7 @@ class Cells {
             if (along > most) most = along, closest = v;
         }
         const LitVertex& lit = baked_.lit.vertices[nearest.particle * icosphere_vertices(kFinestLevel) + closest];
-        return lit.light * particle.color + particle.glow;
+        return surface_color(baked_.cloud, particle, lit.light);
     }
 
     // One cell, into its place in each stack.

@@ -37,13 +37,13 @@ struct SpriteCloud {
     std::vector<Sprite> sprites;
 };
 
-// Puff i of N belongs to the particle in which the fraction (i + 1/2) / N of the sum of all R^2 is reached: by volume the
-// cloud's ends, which are made of small particles, would stay bare. Within it, it sits at a distance of 0.7 R max(u, v,
-// w) from the middle (u, v, w evenly spread over 0..1, so that places are evenly spread over the ball), its azimuth a
-// golden angle on from the one before. Its core, kSoftDiscCore of its radius, reaches to the particle's surface, but to
-// 0.7 R at least. Its colour is the particle's times the light near it on the outside of the cloud, plus the particle's
-// glow: the mean over all vertices outside of other particles, weighted by 1 / (d^2 + s^2)^2, s being 0.12 of the
-// greatest radius. Throws std::invalid_argument for options out of range.
+// Puff i of N belongs to the particle in which the fraction (i + 1/2) / N of the sum of all R^2 is reached: by volume
+// the cloud's ends, which are made of small particles, would stay bare. Within it, it sits at a distance of
+// 0.7 R max(u, v, w) from the middle (u, v, w evenly spread over 0..1, so that places are evenly spread over the ball),
+// its azimuth a golden angle on from the one before. Its core, kSoftDiscCore of its radius, reaches to the particle's
+// surface, but to 0.55 R at least; the cloud's base lifts it. Its colour is the particle's times the light near it on
+// the outside of the cloud, plus the particle's glow: the mean over all vertices outside of other particles, weighted
+// by 1 / (d^2 + s^2)^2, s being 0.12 of the greatest radius. Throws std::invalid_argument for options out of range.
 SpriteCloud make_sprites(const BakedCloud& baked, const SpriteOptions& options = {});
 
 // Appends one pass for each cloud in view, "<cloud>: sprites, back to front", farthest cloud first. Puffs turn

@@ -14,13 +14,16 @@ using namespace pipeline;
 
 namespace {
 
+constexpr float kColorReach = 4.0f;
+
 // Distance from the eye to the surface of the particle, about; negative inside.
 float surface_m(const Particle& particle, Vec3 eye) {
     const Vec3 in_ball = glm::inverse(particle.shape) * (eye - particle.center);
     return glm::length(in_ball) - particle.radius;
 }
 
-// The mean colour of the surface around the eye: with distance d a vertex counts 1 / (1 + (d / reach)^2)^2.
+// The mean colour of the surface around the eye: with distance d a vertex counts 1 / (1 + (d / reach)^2)^2, and less the
+// less light finds it: what lies deep between particles is never seen.
 Vec3 color_around(const BakedCloud& baked, Vec3 eye, float reach_m) {
     Vec3 sum(0.0f);
     float weights           = 0.0f;
@@ -30,11 +33,12 @@ Vec3 color_around(const BakedCloud& baked, Vec3 eye, float reach_m) {
         const LitVertex& vertex  = baked.lit.vertices[i];
         const Vec3 away          = vertex.position - eye;
         const float share        = 1.0f / (1.0f + glm::dot(away, away) / (reach_m * reach_m));
-        const float weight       = share * share * particle.radius * particle.radius;
+        const float open         = vertex.occlusion * vertex.occlusion;
+        const float weight       = share * share * open * open * particle.radius * particle.radius;
         sum += weight * color_of(baked.cloud, particle, vertex);
         weights += weight;
     }
-    return sum / weights;
+    return weights > 0.0f ? sum / weights : baked.lit.mean_color;
 }
 
 }  // namespace
@@ -42,13 +46,13 @@ Vec3 color_around(const BakedCloud& baked, Vec3 eye, float reach_m) {
 void append_composite(const CloudDraw& draw, TargetId finished) {
     const Cloud& cloud       = draw.baked.cloud;
     const bool premultiplied = cloud.mode == Mode::Premultiplied;
-    const bool eroded        = finished == draw.targets.eroded && draw.targets.eroded;  // tint and dissolve are in it
+    const bool eroded        = cloud.mode == Mode::Skirt && cloud.detail == Detail::Fractal;  // tinted and dissolved
     const bool tinted        = cloud.tint && cloud.mode != Mode::Article && !eroded;
     Pass& pass = append_pass(draw, premultiplied ? "composite (ONE, INVSRCALPHA)" : "composite (SRCALPHA, INVSRCALPHA)",
                              draw.scene.back_buffer, draw.bounds);
-    blend_over_scene(draw, pass.state,
-                     premultiplied ? BlendState{.source = BlendFactor::One, .dest = BlendFactor::InvSourceAlpha}
-                                   : kAlphaOver);
+    blend_over_scene(
+        draw, pass.state,
+        premultiplied ? BlendState{.source = BlendFactor::One, .dest = BlendFactor::InvSourceAlpha} : kAlphaOver);
     show_texture(pass.state, TextureFilter::Point);
     const float opacity = cloud.opacity * (eroded ? 1.0f : 1.0f - cloud.dissolve);
     Vec3 factor         = tinted ? *cloud.tint : Vec3(1.0f);
@@ -72,8 +76,8 @@ void append_whiteout(const CloudDraw& draw) {
         nearest = std::min(nearest, surface_m(particle, draw.view.eye) / (reach * particle.alpha + 1e-6f));
     if (nearest >= 1.0f) return;
     const float alpha = std::min(1.0f - nearest, 1.0f) * cloud.opacity * (1.0f - cloud.dissolve);
-    const Vec3 color  = color_around(draw.baked, draw.view.eye, 2.0f * reach);
-    Pass& pass = append_pass(draw, "whiteout: the eye is inside", draw.scene.back_buffer, draw.bounds);
+    const Vec3 color  = color_around(draw.baked, draw.view.eye, kColorReach * reach);
+    Pass& pass        = append_pass(draw, "whiteout: the eye is inside", draw.scene.back_buffer, draw.bounds);
     blend_over_scene(draw, pass.state, kAlphaOver);
     DrawRectangle all;
     all.x1    = static_cast<float>(draw.view.width);

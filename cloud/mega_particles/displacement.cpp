@@ -51,8 +51,8 @@ Vec3 point_looked_at(std::span<const Particle> particles, Vec3 eye, Vec3 directi
     float first = 1e30f, nearest = 1e30f, nearest_at = 0.0f;
     for (const Particle& particle : particles) {
         // In the particle's own space it is a ball of radius 1.
-        const Mat3 to_ball    = glm::inverse(particle.shape) * (1.0f / particle.radius);
-        const Vec3 from       = to_ball * (eye - particle.center), along = to_ball * direction;
+        const Mat3 to_ball = glm::inverse(particle.shape) * (1.0f / particle.radius);
+        const Vec3 from = to_ball * (eye - particle.center), along = to_ball * direction;
         const float length2   = glm::dot(along, along);
         const float closest   = std::max(-glm::dot(from, along) / length2, 0.0f);
         const Vec3 there      = from + closest * along;
@@ -82,8 +82,9 @@ void append_displaced_composite(const CloudDraw& draw) {
     const Vec2 size(static_cast<float>(view.width), static_cast<float>(view.height));
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column <= columns; ++column) {
-            const Vec2 uv = Vec2(static_cast<float>(area.x0 + column * kCellPx),
-                                 static_cast<float>(area.y0 + row * kCellPx)) / size;
+            const Vec2 uv =
+                Vec2(static_cast<float>(area.x0 + column * kCellPx), static_cast<float>(area.y0 + row * kCellPx)) /
+                size;
             // From clip space back to camera space, which looks along -z.
             const Mat4& p = view.projection;
             const Vec3 in_camera((2.0f * uv.x - 1.0f + p[2][0]) / p[0][0] * w,
@@ -105,20 +106,20 @@ void append_displaced_composite(const CloudDraw& draw) {
 
     Pass& pass  = append_pass(draw, "displace and composite", draw.scene.back_buffer, draw.bounds);
     pass.camera = draw.scene.camera;
-    blend_over_scene(draw, pass.state,
-                     premultiplied ? BlendState{.source = BlendFactor::One, .dest = BlendFactor::InvSourceAlpha}
-                                   : kAlphaOver);
+    blend_over_scene(
+        draw, pass.state,
+        premultiplied ? BlendState{.source = BlendFactor::One, .dest = BlendFactor::InvSourceAlpha} : kAlphaOver);
     const float opacity = cloud.opacity * (1.0f - cloud.dissolve);
     Vec3 factor         = cloud.tint && cloud.mode != Mode::Article ? *cloud.tint : Vec3(1.0f);
     if (premultiplied) factor *= opacity;
     pass.state.texture_factor = to_argb(factor, opacity);
 
     show_texture(pass.state, premultiplied ? TextureFilter::Linear : TextureFilter::Point);
-    TextureStage& own = pass.state.stages[0];
-    own.color_op      = TextureOp::Modulate;
-    own.color_arg2    = {.source = ArgSource::TFactor};
-    own.alpha_op      = TextureOp::Modulate;
-    own.alpha_arg2    = {.source = ArgSource::TFactor};
+    TextureStage& own       = pass.state.stages[0];
+    own.color_op            = TextureOp::Modulate;
+    own.color_arg2          = {.source = ArgSource::TFactor};
+    own.alpha_op            = TextureOp::Modulate;
+    own.alpha_arg2          = {.source = ArgSource::TFactor};
     grid.textures[0].target = draw.targets.particles;
     if (!premultiplied) {
         own.coords              = CoordSource::CameraPosition;

@@ -24,7 +24,8 @@ float distance_m(const CloudDraw& draw, std::size_t particle) {
 std::vector<std::size_t> front_to_back(const CloudDraw& draw) {
     const std::vector<Particle>& particles = draw.baked.cloud.particles;
     std::vector<float> nearest;
-    for (std::size_t i = 0; i < particles.size(); ++i) nearest.push_back(distance_m(draw, i) - greatest_radius(particles[i]));
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        nearest.push_back(distance_m(draw, i) - greatest_radius(particles[i]));
     std::vector<std::size_t> order(particles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearest[a] < nearest[b]; });
@@ -94,8 +95,8 @@ Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, TargetI
 void append_particles(const CloudDraw& draw) {
     const Mode mode    = draw.baked.cloud.mode;
     const bool article = mode == Mode::Article, on_black = mode == Mode::Premultiplied || mode == Mode::Black;
-    Pass& pass       = append_sphere_pass(draw, "mega-particles, alpha 1", draw.targets.particles,
-                                          on_black ? draw.halo : draw.bounds);
+    Pass& pass =
+        append_sphere_pass(draw, "mega-particles, alpha 1", draw.targets.particles, on_black ? draw.halo : draw.bounds);
     pass.state.depth = {.func = CompareFunc::LessEqual, .write = true};
     if (on_black) pass.clear.color = Argb{0x00000000};
     if (inside_a_particle(draw, false)) pass.state.cull = CullMode::None;
@@ -103,7 +104,7 @@ void append_particles(const CloudDraw& draw) {
     pass.draws.push_back(
         append_spheres(draw, front_to_back(draw), 0, [&](const Particle& particle, const LitVertex& lit) {
             const Cloud& cloud = draw.baked.cloud;
-            const Vec3 color = article ? lit.occlusion * particle.color : color_of(cloud, particle, lit);
+            const Vec3 color   = article ? lit.occlusion * particle.color : color_of(cloud, particle, lit);
             return Vertex{.position = lit.position,
                           .normal   = lit.normal,
                           .diffuse  = to_argb(stored_color(draw, color), particle.alpha)};
@@ -125,19 +126,23 @@ void append_skirt(const CloudDraw& draw) {
 }
 
 void append_rim_mask(const CloudDraw& draw) {
-    Pass& clear = append_pass(draw, "rim mask: nowhere", draw.scene.back_buffer, draw.bounds);
-    clear.state.color_mask = {.red = false, .green = false, .blue = false, .alpha = true};
-    DrawRectangle nowhere;
-    nowhere.x1    = static_cast<float>(draw.view.width);
-    nowhere.y1    = static_cast<float>(draw.view.height);
-    nowhere.color = {0x00000000};
-    clear.draws.push_back(nowhere);
+    constexpr ColorMask kAlphaAlone{.red = false, .green = false, .blue = false, .alpha = true};
+    // Inside the rim all of the scene is behind it.
+    const bool everywhere = inside_a_particle(draw, true);
+    Pass& start = append_pass(draw, everywhere ? "rim mask: everywhere" : "rim mask: nowhere", draw.scene.back_buffer,
+                              draw.bounds);
+    start.state.color_mask = kAlphaAlone;
+    DrawRectangle all;
+    all.x1    = static_cast<float>(draw.view.width);
+    all.y1    = static_cast<float>(draw.view.height);
+    all.color = {everywhere ? 0xff000000 : 0x00000000};
+    start.draws.push_back(all);
+    if (everywhere) return;
 
     Pass& mask = append_sphere_pass(draw, "rim mask: where the scene is behind", draw.scene.back_buffer, draw.bounds);
-    mask.state.color_mask = {.red = false, .green = false, .blue = false, .alpha = true};
+    mask.state.color_mask = kAlphaAlone;
     mask.state.depth      = {.func = CompareFunc::LessEqual, .write = false};
     mask.state.fog        = {};
-    if (inside_a_particle(draw, true)) mask.state.cull = CullMode::None;
     mask.draws.push_back(
         append_spheres(draw, front_to_back(draw), 1, [&](const Particle& particle, const LitVertex& lit) {
             return Vertex{.position = lit.position + lit.normal * rim_m(draw, particle),
@@ -149,9 +154,9 @@ void append_rim_mask(const CloudDraw& draw) {
 Vec3 color_of(const Cloud& cloud, const Particle& particle, const LitVertex& vertex) {
     Vec3 light = vertex.light;
     for (const InnerLight& inner : cloud.lights) {
-        const Vec3 to_light    = inner.center - vertex.position;
-        const float distance2  = glm::dot(to_light, to_light);
-        const float left       = 1.0f - distance2 / (inner.range * inner.range);
+        const Vec3 to_light   = inner.center - vertex.position;
+        const float distance2 = glm::dot(to_light, to_light);
+        const float left      = 1.0f - distance2 / (inner.range * inner.range);
         if (left <= 0.0f) continue;
         const float facing = distance2 > 0.0f ? glm::dot(vertex.normal, to_light) / std::sqrt(distance2) : 0.0f;
         light += inner.color * (left * left * (0.7f + 0.3f * facing));

@@ -15,9 +15,7 @@ struct PlacedBox {
     Vec3 middle, half;
     Turn turn;
 
-    Vec3 to_world(Vec3 p) const {
-        return middle + Vec3(turn.x * p.x + turn.y * p.z, p.y, turn.x * p.z - turn.y * p.x);
-    }
+    Vec3 to_world(Vec3 p) const { return middle + Vec3(turn.x * p.x + turn.y * p.z, p.y, turn.x * p.z - turn.y * p.x); }
     Vec3 to_box(Vec3 p) const {
         p -= middle;
         return Vec3(turn.x * p.x - turn.y * p.z, p.y, turn.x * p.z + turn.y * p.x);
@@ -46,7 +44,7 @@ CullMode cull_of(const CloudDraw& draw, const PlacedBox& box) {
 }
 
 // One side of the box; uv from centre to centre of the fractal's border texels (fractal.h).
-DrawTriangles append_side(const CloudDraw& draw, const PlacedBox& box, int face, int stage, Argb color) {
+DrawTriangles append_side(const CloudDraw& draw, const PlacedBox& box, int face, int stage) {
     Frame& frame     = draw.frame;
     const int axis   = face / 2;
     const bool far   = face % 2 == 0;
@@ -62,7 +60,6 @@ DrawTriangles append_side(const CloudDraw& draw, const PlacedBox& box, int face,
         vertex.position     = box.to_world(position);
         vertex.normal[axis] = far ? 1.0f : -1.0f;
         vertex.normal       = box.to_world(vertex.normal) - box.middle;
-        vertex.diffuse      = color;
         vertex.uv0          = Vec2(right ? 1.0f - edge : edge, down ? 1.0f - edge : edge);
         frame.vertices.push_back(vertex);
     }
@@ -84,45 +81,29 @@ void sample_fractal(TextureStage& stage) {
     stage.coords     = CoordSource::Vertex0;
 }
 
-// What the fractal multiplies alpha by: 0.6 + 0.8 n, clamped. Skirt mode's texels store n / 2, the others' the factor.
-constexpr float kFactorOffset = 0.6f, kFactorSlope = 0.8f;
-
-void make_factor(PipelineState& state) {
-    TextureStage& slope     = state.stages[0];
-    slope.alpha_op          = TextureOp::Modulate2X;
-    slope.alpha_arg2        = {.source = ArgSource::TFactor};
-    state.texture_factor    = to_argb(Vec3(1.0f), kFactorSlope);
-    TextureStage& offset    = state.stages[1];
-    offset.color_op         = TextureOp::SelectArg2;
-    offset.alpha_op         = TextureOp::Add;
-    offset.alpha_arg1       = {.source = ArgSource::Current};
-    offset.alpha_arg2       = {.source = ArgSource::Diffuse};
-}
-
 }  // namespace
 
 void append_multiplying_box(const CloudDraw& draw, TargetId into, const std::optional<Turn>& turn) {
-    const Cloud& cloud    = draw.baked.cloud;
-    const bool all        = cloud.mode == Mode::Premultiplied;
-    const PlacedBox box   = box_around(draw, turn);
-    Pass& pass            = append_pass(draw, all ? "fractal box: multiply" : "fractal box: multiply alpha only", into,
-                                        draw.bounds);
+    const Cloud& cloud  = draw.baked.cloud;
+    const bool all      = cloud.mode == Mode::Premultiplied;
+    const PlacedBox box = box_around(draw, turn);
+    Pass& pass =
+        append_pass(draw, all ? "fractal box: multiply" : "fractal box: multiply alpha only", into, draw.bounds);
     pass.camera           = draw.scene.camera;
     pass.state.blend      = all ? BlendState{.source = BlendFactor::Zero, .dest = BlendFactor::SourceAlpha} : kMultiply;
     pass.state.color_mask = {.red = all, .green = all, .blue = all, .alpha = true};
     pass.state.cull       = cull_of(draw, box);
     show_texture(pass.state, TextureFilter::Linear);
     sample_fractal(pass.state.stages[0]);
-    if (cloud.mode == Mode::Skirt) make_factor(pass.state);
-    for (int face = 0; face < kBoxFaces; ++face)
-        pass.draws.push_back(append_side(draw, box, face, 0, to_argb(Vec3(1.0f), kFactorOffset)));
+    for (int face = 0; face < kBoxFaces; ++face) pass.draws.push_back(append_side(draw, box, face, 0));
 }
 
-void append_eroding_box(const CloudDraw& draw, TargetId into) {
+void append_eroding_box(const CloudDraw& draw, const Erosion& erosion) {
     const Cloud& cloud  = draw.baked.cloud;
-    const PlacedBox box = box_around(draw, cloud.box_turn);
-    const bool over     = into == draw.scene.back_buffer;
-    Pass& pass = append_pass(draw, over ? "fractal box: erode and composite" : "fractal box: erode", into, draw.bounds);
+    const PlacedBox box = box_around(draw, erosion.turn);
+    const bool over     = erosion.into == draw.scene.back_buffer;
+    Pass& pass =
+        append_pass(draw, over ? "fractal box: erode and composite" : "fractal box: erode", erosion.into, draw.bounds);
     pass.camera     = draw.scene.camera;
     pass.state.cull = cull_of(draw, box);
     if (over)
@@ -130,31 +111,25 @@ void append_eroding_box(const CloudDraw& draw, TargetId into) {
     else
         pass.clear.color = Argb{0x00000000};  // where the box does not reach
     show_texture(pass.state, TextureFilter::Point);
-    TextureStage& finished    = pass.state.stages[0];
-    finished.coords           = CoordSource::CameraPosition;
-    finished.transform        = screen_coordinates(draw.view.projection);
-    pass.state.texture_factor = to_argb(cloud.tint.value_or(Vec3(1.0f)), cloud.dissolve);
-    if (cloud.tint) {
-        finished.color_op   = TextureOp::Modulate;
-        finished.color_arg2 = {.source = ArgSource::TFactor};
+    TextureStage& cloud_so_far = pass.state.stages[0];
+    cloud_so_far.coords        = CoordSource::CameraPosition;
+    cloud_so_far.transform     = screen_coordinates(draw.view.projection);
+    if (erosion.is_first && (cloud.tint || cloud.dissolve > 0.0f)) {
+        pass.state.texture_factor = to_argb(cloud.tint.value_or(Vec3(1.0f)), cloud.dissolve);
+        cloud_so_far.color_op     = TextureOp::Modulate;
+        cloud_so_far.color_arg2   = {.source = ArgSource::TFactor};
+        cloud_so_far.alpha_op     = TextureOp::Subtract;
+        cloud_so_far.alpha_arg2   = {.source = ArgSource::TFactor};
     }
-    if (cloud.dissolve > 0.0f) {
-        finished.alpha_op   = TextureOp::Subtract;
-        finished.alpha_arg2 = {.source = ArgSource::TFactor};
-    }
-    TextureStage& erosion = pass.state.stages[1];
-    sample_fractal(erosion);
-    erosion.color_op = TextureOp::SelectArg2;  // the colour so far; the fractal stores n / 2
-    erosion.alpha_op = TextureOp::AddSigned2X;
+    TextureStage& fractal = pass.state.stages[1];
+    sample_fractal(fractal);
+    fractal.color_op = TextureOp::SelectArg2;  // the colour so far; the fractal stores n / 2
+    fractal.alpha_op = TextureOp::AddSigned2X;
     for (int face = 0; face < kBoxFaces; ++face) {
-        DrawTriangles side      = append_side(draw, box, face, 1, {});
-        side.textures[0].target = draw.targets.particles;
+        DrawTriangles side      = append_side(draw, box, face, 1);
+        side.textures[0].target = erosion.from;
         pass.draws.push_back(side);
     }
-}
-
-bool erodes_and_composites_at_once(const Cloud& cloud) {
-    return cloud.mode == Mode::Skirt && cloud.opacity >= 1.0f && !cloud.second_box_turn;
 }
 
 FractalTextures append_fractal(Frame& frame, const BakedCloud& baked) {

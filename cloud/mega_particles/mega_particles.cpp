@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <string>
 
 #include "cloud/mega_particles/blur.h"
@@ -20,24 +21,38 @@ using namespace pipeline;
 
 namespace {
 
-// Whether the finished cloud has to stand in a target of its own, beside the blurred one.
-bool needs_own_target(const Cloud& cloud) {
-    return cloud.detail == Detail::Fractal && cloud.mode == Mode::Skirt && !erodes_and_composites_at_once(cloud);
+// The fractal erodes once, or once more by a second box. The last to do so composites as well; but a constant opacity is
+// one factor more than two texture stages can take, and comes in a rectangle of its own.
+void append_erosions_and_composite(const CloudDraw& draw) {
+    const Cloud& cloud          = draw.baked.cloud;
+    const CloudTargets& targets = draw.targets;
+    const bool at_once          = cloud.opacity >= 1.0f;
+    const TargetId last         = cloud.second_box_turn ? targets.particles : targets.eroded;
+    Erosion first{.from = targets.particles, .into = targets.eroded, .turn = cloud.box_turn};
+    if (at_once && !cloud.second_box_turn) first.into = draw.scene.back_buffer;
+    append_eroding_box(draw, first);
+    if (cloud.second_box_turn)
+        append_eroding_box(draw, {.from     = targets.eroded,
+                                  .into     = at_once ? draw.scene.back_buffer : last,
+                                  .turn     = cloud.second_box_turn,
+                                  .is_first = false});
+    if (!at_once) append_composite(draw, last);
+}
+bool needs_eroded(const Cloud& cloud) {
+    return cloud.detail == Detail::Fractal && cloud.mode == Mode::Skirt &&
+           (cloud.opacity < 1.0f || cloud.second_box_turn);
 }
 
 // What gives the rim its relief, fixed to the cloud and not to the screen; and the blend over the back buffer.
 void append_detail_and_composite(const CloudDraw& draw) {
     const Cloud& cloud = draw.baked.cloud;
     if (cloud.detail == Detail::Displacement) return append_displaced_composite(draw);
-    if (cloud.detail == Detail::None) return append_composite(draw, draw.targets.particles);
-    if (erodes_and_composites_at_once(cloud)) return append_eroding_box(draw, draw.scene.back_buffer);
-    const TargetId finished = cloud.mode == Mode::Skirt ? draw.targets.eroded : draw.targets.particles;
-    if (cloud.mode == Mode::Skirt)
-        append_eroding_box(draw, finished);
-    else
-        append_multiplying_box(draw, finished, cloud.box_turn);
-    if (cloud.second_box_turn) append_multiplying_box(draw, finished, *cloud.second_box_turn);
-    append_composite(draw, finished);
+    if (cloud.detail == Detail::Fractal) {
+        if (cloud.mode == Mode::Skirt) return append_erosions_and_composite(draw);
+        append_multiplying_box(draw, draw.targets.particles, cloud.box_turn);
+        if (cloud.second_box_turn) append_multiplying_box(draw, draw.targets.particles, cloud.second_box_turn);
+    }
+    append_composite(draw, draw.targets.particles);
 }
 
 // The technique. `particles` is a colour target beside the back buffer; both use the scene's depth buffer.
@@ -72,7 +87,7 @@ TargetId append_target(Frame& frame, const std::string& name, int width, int hei
     return {static_cast<std::int32_t>(frame.targets.size()) - 1};
 }
 
-CloudTargets append_targets(Frame& frame, const View& view, int blur_levels, bool needs_eroded) {
+CloudTargets append_targets(Frame& frame, const View& view, int blur_levels, bool with_eroded) {
     CloudTargets targets;
     targets.width     = round_up(view.width, 1 << kMaxBlurLevels);
     targets.height    = round_up(view.height, 1 << kMaxBlurLevels);
@@ -83,7 +98,7 @@ CloudTargets append_targets(Frame& frame, const View& view, int blur_levels, boo
         targets.front.push_back(append_target(frame, name, targets.width >> level, targets.height >> level));
         targets.back.push_back(append_target(frame, name + " back", targets.width >> level, targets.height >> level));
     }
-    if (needs_eroded) targets.eroded = append_target(frame, "eroded", view.width, view.height);
+    if (with_eroded) targets.eroded = append_target(frame, "eroded", view.width, view.height);
     return targets;
 }
 
@@ -98,8 +113,8 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
         float nearest;
     };
     std::vector<Seen> seen;
-    int blur_levels   = 0;
-    bool needs_eroded = false;
+    int blur_levels  = 0;
+    bool with_eroded = false;
     for (const BakedCloud& baked : clouds) {
         const BlurPlan blur = plan_blur(baked.cloud.mode, wanted_sigma_px(baked, view));
         const auto rim      = static_cast<int>(std::ceil(3.0f * sigma_px(blur)));
@@ -107,19 +122,23 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
         if (!bounds || baked.cloud.opacity <= 0.0f) continue;
         seen.push_back({&baked, blur, *bounds, nearest_m(baked, view.eye)});
         blur_levels = std::max(blur_levels, blur.levels);
-        needs_eroded |= needs_own_target(baked.cloud);
+        with_eroded |= needs_eroded(baked.cloud);
     }
     if (seen.empty()) return;
 
     // Each cloud is blurred and composited by itself, over those behind it, so clouds never smear into each other. What
     // counts is the nearest particle: the centre of a cloud can be farther than another's that it hides.
     std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.nearest > b.nearest; });
-    const CloudTargets targets = append_targets(frame, view, blur_levels, needs_eroded);
+    const CloudTargets targets = append_targets(frame, view, blur_levels, with_eroded);
+    std::map<const FractalFaces*, FractalTextures> fractals;  // clouds may share theirs
     for (const Seen& cloud : seen) {
         const PixelRect halo = grow(cloud.bounds, 1 << cloud.blur.levels, targets.width, targets.height);
-        const FractalTextures fractal = cloud.baked->cloud.detail == Detail::Fractal
-                                            ? append_fractal(frame, *cloud.baked)
-                                            : FractalTextures{};
+        FractalTextures fractal;
+        if (cloud.baked->cloud.detail == Detail::Fractal) {
+            const auto [entry, is_new] = fractals.try_emplace(cloud.baked->fractal.get());
+            if (is_new) entry->second = append_fractal(frame, *cloud.baked);
+            fractal = entry->second;
+        }
         append_cloud({frame, scene, view, *cloud.baked, targets, cloud.blur, cloud.bounds, halo, fractal});
     }
 }

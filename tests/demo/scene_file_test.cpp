@@ -67,7 +67,8 @@ TEST_CASE("a scene file that is wrong is refused with one line that says where a
         {with_cloud("crown = -1"), "dir/x.toml:3:9: cloud.crown must be >= 0 (got -1)"},
         {with_cloud("crown = 1999\nrim = 1"),
          "dir/x.toml:2:9: cloud.cores with crown and rim must come to at most 2000 particles (got 2001)"},
-        {with_cloud("mode = \"skrit\""), "dir/x.toml:3:8: cloud.mode must be one of skirt, article (got \"skrit\")"},
+        {with_cloud("mode = \"skrit\""),
+         "dir/x.toml:3:8: cloud.mode must be one of skirt, article, premultiplied, black (got \"skrit\")"},
         {with_cloud("name = 5"), "dir/x.toml:3:8: cloud.name must be a string (got 5)"},
         {with_cloud("bluur = 1"), "dir/x.toml:3:1: cloud.bluur is not a key of [[cloud]] (did you mean 'blur'?)"},
         {with_cloud("xyzzy = 1"), "dir/x.toml:3:1: cloud.xyzzy is not a key of [[cloud]]"},
@@ -93,8 +94,12 @@ TEST_CASE("a scene file that is wrong is refused with one line that says where a
          "dir/x.toml:2:10: cloud.cores must have radii >= 0.01, each [x, y, z, radius]"},
         {"[[cloud]]\ncores = [[0, 60, 0]]",
          "dir/x.toml:2:10: cloud.cores must be an array of 4 numbers (got an array of 3)"},
-        {"[[cloud]]\ncores = []", "dir/x.toml:2:9: cloud.cores must hold one core or more, each [x, y, z, radius]"},
-        {"[[cloud]]", "dir/x.toml:1:1: cloud.cores must hold one core or more, each [x, y, z, radius]"},
+        {"[[cloud]]\ncores = []",
+         "dir/x.toml:2:9: cloud.cores must hold one core or more, each [x, y, z, radius]; or cloud.generate, cloud.stream or "
+         "cloud.particles stand in its place, one of them"},
+        {"[[cloud]]",
+         "dir/x.toml:1:1: cloud.cores must hold one core or more, each [x, y, z, radius]; or cloud.generate, cloud.stream or "
+         "cloud.particles stand in its place, one of them"},
         {"cloud = 3", "dir/x.toml:1:9: cloud must be an array of tables, each [[cloud]] (got 3)"},
         {"[cloud]", "dir/x.toml:1:1: cloud must be an array of tables, each [[cloud]] (got a table)"},
         {"[output]\nsize = [0, 0]", "dir/x.toml:2:9: output.size must be >= 1 (got 0)"},
@@ -182,13 +187,13 @@ TEST_CASE("what a file says arrives, and the rest has its default", "[demo][scen
 TEST_CASE("position and scale place a cloud's particles, base and blur", "[demo][scene_file]") {
     const Scene scene = build_scene(parse_scene(kTwoClouds, "x.toml", "x"));
     REQUIRE(scene.clouds.size() == 2);
-    const cloud::Cloud& left = scene.clouds[0].cloud;
+    const cloud::Cloud& left = scene.clouds[0].baked.cloud;
     REQUIRE(left.particles.size() == 2);
     CHECK(left.particles[0].center == Vec3(-30.0f, 20.0f, 0.0f));
     CHECK(left.particles[0].radius == 8.0f);
     CHECK(left.base_y == 16.0f);
     CHECK(left.blur_m == 1.0f);
-    CHECK(scene.clouds[1].cloud.particles.size() > 1);
+    CHECK(scene.clouds[1].baked.cloud.particles.size() > 1);
     CHECK(pipeline::validate(scene_frame(scene, {64, 48}, 0)).empty());
 }
 
@@ -205,7 +210,7 @@ TEST_CASE("every built-in scene parses, has a summary, and no two share a name",
 
 TEST_CASE("a scene that is neither built in nor a file is named", "[demo][scene_file]") {
     CHECK_THROWS_WITH(load_scene("no/such.toml"),
-                      Catch::StartsWith("no/such.toml: no such file, and no built-in scene (there is canyon"));
+                      Catch::StartsWith("no/such.toml: no such file, and no built-in scene (there is blast, canyon"));
     CHECK_THROWS_WITH(load_scene("/"), "/: is not a file");
 }
 
