@@ -57,6 +57,7 @@ std::vector<cloud::Particle> particles_at(const SceneCloud& scene_cloud, double 
 }
 
 void apply_size(const CloudKey& key, Vec3 middle, std::vector<cloud::Particle>& particles) {
+    if (key.spread == 1.0f && key.size == 1.0f) return;  // nothing is rounded
     for (cloud::Particle& particle : particles) {
         particle.center = middle + key.spread * (particle.center - middle);
         particle.radius = std::max(particle.radius * key.size, 0.01f);

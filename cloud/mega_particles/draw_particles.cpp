@@ -60,7 +60,8 @@ DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_
 
 // By how much the rim reaches beyond a particle.
 float rim_m(const CloudDraw& draw, const Particle& particle) {
-    return kRimSigmas * sigma_px(draw.blur) / focal_px(draw.view) * glm::length(particle.center - draw.view.eye);
+    const float sigma_per_metre = sigma_px(draw.blur) / focal_px(draw.view);
+    return kRimSigmas * sigma_per_metre * glm::length(particle.center - draw.view.eye);
 }
 
 // Whether the near plane may lie in one of the spheres: then their insides must be drawn.

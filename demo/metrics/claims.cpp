@@ -19,6 +19,7 @@ constexpr std::array kClaims{
     Claim{"They hide the scene and are hidden by it, accurately", "M2.error"},
     Claim{"No sharp cut-outs where they meet the scene", "M1.cut_share"},
     Claim{"", "M1.edge_width"},
+    Claim{"", "M1.hard_steps"},
     Claim{"The camera may enter the cloud", "M0.inside"},
     Claim{"Controls are direct: spheres, colours, one blur", ""},
     Claim{"Particles burn fill rate; here two full-screen blends at most", "M8.layers"},

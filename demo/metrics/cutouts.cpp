@@ -37,8 +37,13 @@ std::vector<double> monotone_run(const Plane& plane, Vec2 from, Vec2 direction, 
     return run;
 }
 
-// Of all edges in a picture where the scene takes at least a fifth of the cloud away.
-void append_edge_widths(Studio& studio, std::vector<double>& widths) {
+// widths: of edges where the scene takes at least a fifth of the cloud away. steps: pixels of edges, hard or not.
+struct Edges {
+    std::vector<double> widths;
+    std::size_t steps = 0, hard_steps = 0;
+};
+
+void append_edges(Studio& studio, Edges& edges) {
     constexpr float kLeastDrop = 0.2f;
     const Anatomy& anatomy     = studio.anatomy();
     const Plane left           = share_left(studio.plain_coverage(), studio.coverage(studio.shot(), remove_scene));
@@ -57,10 +62,15 @@ void append_edge_widths(Studio& studio, std::vector<double>& widths) {
         return is_met;
     };
     for (int y = 0; y < left.height; ++y)
-        for (int x = 0; x < left.width; ++x)
-            if (ridges.at(x, y) != 0 && meets(x, y))
-                if (const auto found = edge_width(left, x, y, std::max(8.0, 4.0 * anatomy.sigma_px), kLeastDrop))
-                    widths.push_back(*found);
+        for (int x = 0; x < left.width; ++x) {
+            if (ridges.at(x, y) == 0 || !meets(x, y)) continue;
+            if (const auto width = edge_width(left, x, y, std::max(8.0, 4.0 * anatomy.sigma_px), kLeastDrop))
+                edges.widths.push_back(*width);
+            if (const std::optional<bool> is_hard = is_hard_step(left, x, y)) {
+                ++edges.steps;
+                edges.hard_steps += *is_hard;
+            }
+        }
 }
 
 }  // namespace
@@ -103,6 +113,22 @@ std::optional<double> edge_width(const Plane& plane, int x, int y, double reach,
     return kStep * (crossing(profile, low + 0.9 * (high - low)) - crossing(profile, low + 0.1 * (high - low)));
 }
 
+std::optional<bool> is_hard_step(const Plane& plane, int x, int y) {
+    const Vec2 slope = gradient(plane, x, y);
+    if (!(glm::length(slope) > 0.0f)) return std::nullopt;
+    const Vec2 up     = glm::normalize(slope), from(static_cast<float>(x), static_cast<float>(y));
+    const auto change = [&](float s) {
+        const Vec2 before = from + up * (s - 0.5f), after = from + up * (s + 0.5f);
+        return std::abs(sample(plane, after.x, after.y) - sample(plane, before.x, before.y));
+    };
+    // The step may lie to either side of the pixel's centre.
+    const float place = change(-0.5f) > change(0.5f) ? -0.5f : 0.5f;
+    const float here = change(place), beside = std::max(change(place - 2.0f), change(place + 2.0f));
+    if (!std::isfinite(here) || !std::isfinite(change(place - 2.0f)) || !std::isfinite(change(place + 2.0f)))
+        return std::nullopt;
+    return here >= 0.05f && here > 3.0f * beside;
+}
+
 Metrics measure_cutouts(Studio& studio) {
     constexpr std::size_t kLeastEdges = 20;
     Metric share{"M1.cut_share",
@@ -111,18 +137,28 @@ Metrics measure_cutouts(Studio& studio) {
                  {},
                  at_most(1.0)};
     Metric width{"M1.edge_width", "their median width, from 10 to 90 % of the drop", "px"};
-    std::vector<double> widths;
+    Metric hard{"M1.hard_steps",
+                "pixels of such edges where a layer ends at once, in a step of 5 % or more",
+                "%",
+                {},
+                at_most(1.0)};
+    Edges edges;
     for (Studio& take : studio.takes()) {
         if (!take.has_cloud()) continue;
         take.edit().geometry.solids_in_front.clear();  // these hide the cloud and do not cut it
-        append_edge_widths(take, widths);
+        append_edges(take, edges);
     }
+    const auto percent = [](auto part, std::size_t all) {
+        return 100.0 * static_cast<double>(part) / static_cast<double>(all);
+    };
+    const std::vector<double>& widths = edges.widths;
     if (widths.size() >= kLeastEdges) {
-        const auto narrow = std::count_if(widths.begin(), widths.end(), [](double w) { return w < 2.0; });
-        share.value       = 100.0 * static_cast<double>(narrow) / static_cast<double>(widths.size());
-        width.value       = quantile(widths, 0.5);
+        share.value =
+            percent(std::count_if(widths.begin(), widths.end(), [](double w) { return w < 2.0; }), widths.size());
+        width.value = quantile(widths, 0.5);
     }
-    return {share, width};
+    if (edges.steps >= kLeastEdges) hard.value = percent(edges.hard_steps, edges.steps);
+    return {share, width, hard};
 }
 
 }  // namespace demo

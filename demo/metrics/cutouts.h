@@ -20,4 +20,9 @@ Mask ridges_of(const Plane& plane, float least);
 // most `reach` pixels either way; none where less than `least_drop` is lost. A step from pixel to pixel is 0.8 wide.
 std::optional<double> edge_width(const Plane& plane, int x, int y, double reach, float least_drop);
 
+// Does the plane change by at least 0.05 from a pixel to the next across (x, y), along the gradient, and two pixels
+// before and after by less than a third of that? So does a cut through one layer of many, whose whole edge is wide. A
+// Gaussian edge with a sigma of 1.4 pixels or more has no such step. None where the profile leaves the cloud.
+std::optional<bool> is_hard_step(const Plane& plane, int x, int y);
+
 }  // namespace demo

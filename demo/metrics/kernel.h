@@ -20,9 +20,9 @@ using Responses = std::vector<std::vector<double>>;
 Responses column_responses(const pipeline::Frame& frame, std::span<const pipeline::Pass> blits,
                            pipeline::TargetId image, int levels);
 
-// sigma_px: about the place of the column, mean over all places. sigma_variation: its standard deviation over its mean. anisotropy: greatest variance
-// along an axis over the smallest, of one kernel. energy_error: greatest |sum - 1|. phase_error: greatest half sum of
-// |kernel - mean kernel|.
+// sigma_px: about the place of the column, mean over all places. sigma_variation: its standard deviation over its mean.
+// anisotropy: greatest variance along an axis over the smallest, of one kernel. energy_error: greatest |sum - 1|.
+// phase_error: greatest half sum of |kernel - mean kernel|.
 struct KernelFigures {
     double sigma_px = 0.0, sigma_variation = 0.0, anisotropy = 1.0, energy_error = 0.0, phase_error = 0.0;
 };

@@ -169,7 +169,8 @@ const Anatomy& Studio::anatomy() {
             near_m                     = std::min(near_m, ahead - sphere.radius);
             far_m                      = std::max(far_m, ahead + sphere.radius);
         }
-    near_m         = std::max(near_m, 1.01f * static_cast<float>(scene_.description.camera.near_m));
+    const CameraPath& camera = scene_.description.camera;
+    near_m         = std::clamp(near_m, 1.01f * static_cast<float>(camera.near_m), static_cast<float>(camera.far_m));
     far_m          = std::max(far_m, near_m * 1.01f);
     anatomy.near_m = near_m;
 

@@ -72,7 +72,8 @@ class Studio {
     Plane coverage(FrameOptions options, const Change& change = {});
     Plane coverage() { return coverage(shot()); }
 
-    // Taken once, with mega-particles, whatever the technique.
+    // Taken at the first call and kept, whatever is edited later. The anatomy is that of mega-particles, whatever the
+    // technique.
     const Anatomy& anatomy();
     const Plane& plain_coverage();       // of the scene as it is
     const Plane& detailless_coverage();  // without the fractal

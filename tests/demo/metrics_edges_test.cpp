@@ -38,6 +38,15 @@ TEST_CASE("an edge on a slant is as wide as an upright one", "[metrics]") {
     CHECK(*edge_width(edge, 45, 45, 20.0, 0.2f) == Approx(2.563 * 4.0).epsilon(0.04));
 }
 
+TEST_CASE("a layer that ends within a soft edge is a hard step", "[metrics]") {
+    const Plane soft = tests::gaussian_edge(60, 9, 30.5, 3.0);
+    CHECK(is_hard_step(soft, 30, 4) == false);
+    const Plane cut = tests::plane_of(60, 9, [&](int x, int y) { return 0.7 * soft.at(x, y) + (x <= 30 ? 0.3 : 0.0); });
+    CHECK(is_hard_step(cut, 30, 4) == true);
+    CHECK(is_hard_step(cut, 24, 4) == false);
+    CHECK_FALSE(is_hard_step(Plane(60, 9, 0.5f), 30, 4));
+}
+
 TEST_CASE("what the scene leaves of a cloud is judged only where there is a cloud", "[metrics]") {
     const Plane share =
         share_left(Plane(2, 1, 0.4f), tests::plane_of(2, 1, [](int x, int) { return x == 0 ? 0.8 : 0.3; }));
