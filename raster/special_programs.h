@@ -176,9 +176,8 @@ inline constexpr std::array kRectanglePrograms{
                      special::kPoint),
     special::over(special::texture(special::stages(special::kTexelFaded), 0, special::kPoint)),
     special::over(special::texture(special::stages(special::kTexelAsItIs), 0, special::kPoint)),
-    // The same, and a plain colour, where a mask allows it; making the mask.
+    // The same where a mask allows it; making the mask.
     special::masked(special::over(special::texture(special::stages(special::kTexelFaded), 0, special::kPoint))),
-    special::masked(special::over(special::vertex_color())),
     special::alpha_only(special::vertex_color()),
     // Plain colours.
     special::vertex_color(),

@@ -17,11 +17,14 @@ Pass& append_pass(const CloudDraw& draw, const std::string& what, TargetId color
 }
 
 DrawRectangle blit(TargetId source, int source_width, int source_height, float scale, float shift) {
+    // The pyramid is of a size rounded up to 2^kMaxBlurLevels: more than twice as large as what is less than half of that.
+    const bool is_small = std::min(source_width, source_height) < (1 << kMaxBlurLevels) / 2;
+    const float times   = is_small ? 1 << kMaxBlurLevels : 2;
     DrawRectangle rectangle;
     rectangle.x0 = rectangle.y0 = shift;
-    rectangle.x1                = shift + 2.0f * scale * static_cast<float>(source_width);
-    rectangle.y1                = shift + 2.0f * scale * static_cast<float>(source_height);
-    rectangle.uv[0]             = {.u0 = 0.0f, .v0 = 0.0f, .u1 = 2.0f, .v1 = 2.0f};
+    rectangle.x1                = shift + times * scale * static_cast<float>(source_width);
+    rectangle.y1                = shift + times * scale * static_cast<float>(source_height);
+    rectangle.uv[0]             = {.u0 = 0.0f, .v0 = 0.0f, .u1 = times, .v1 = times};
     rectangle.textures[0]       = {.texture = {}, .target = source};
     return rectangle;
 }

@@ -45,8 +45,8 @@ struct CloudDraw {
 pipeline::Pass& append_pass(const CloudDraw& draw, const std::string& what, pipeline::TargetId color, PixelRect area);
 
 // A rectangle that shows a texture of source_width x source_height texels magnified by `scale`, moved right and down by
-// `shift` pixels; both in steps that 4 bits of fraction hold. It is made twice as large as the texture, so that it
-// covers the target whatever the shift; moving its corners, instead of its uv, keeps every coordinate exact.
+// `shift` pixels; both in steps that 4 bits of fraction hold. It is made larger than the texture, so that it covers
+// the target whatever the shift; moving its corners, instead of its uv, keeps every coordinate exact.
 pipeline::DrawRectangle blit(pipeline::TargetId source, int source_width, int source_height, float scale, float shift);
 
 // Stages that write the bound texture as it is.

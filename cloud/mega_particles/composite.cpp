@@ -14,7 +14,12 @@ using namespace pipeline;
 
 namespace {
 
-constexpr float kColorReach = 4.0f;
+constexpr float kReachSigmas = 10.0f;  // of the blur, before the surface
+constexpr float kColorReach  = 1.5f;
+
+float whiteout_reach_m(const Cloud& cloud, const View& view) {
+    return std::max(kReachSigmas * cloud.blur_m, near_reach_m(view));
+}
 
 // Distance from the eye to the surface of the particle, about; negative inside.
 float surface_m(const Particle& particle, Vec3 eye) {
@@ -68,17 +73,23 @@ void append_composite(const CloudDraw& draw, TargetId finished) {
     pass.draws.push_back(blit(finished, draw.view.width, draw.view.height, 1.0f, 0.0f));
 }
 
+float whiteout(const Cloud& cloud, const View& view) {
+    float nearest = 1.0f;
+    for (const Particle& particle : cloud.particles)
+        nearest =
+            std::min(nearest, surface_m(particle, view.eye) / (whiteout_reach_m(cloud, view) * particle.alpha + 1e-6f));
+    return std::min(1.0f - nearest, 1.0f) * cloud.opacity * (1.0f - cloud.dissolve);
+}
+
 void append_whiteout(const CloudDraw& draw) {
     const Cloud& cloud = draw.baked.cloud;
-    const float reach  = std::max(4.0f * cloud.blur_m, near_reach_m(draw.view));
-    float nearest      = 1e30f;
-    for (const Particle& particle : cloud.particles)
-        nearest = std::min(nearest, surface_m(particle, draw.view.eye) / (reach * particle.alpha + 1e-6f));
-    if (nearest >= 1.0f) return;
-    const float alpha = std::min(1.0f - nearest, 1.0f) * cloud.opacity * (1.0f - cloud.dissolve);
-    const Vec3 color  = color_around(draw.baked, draw.view.eye, kColorReach * reach);
-    Pass& pass        = append_pass(draw, "whiteout: the eye is inside", draw.scene.back_buffer, draw.bounds);
-    blend_over_scene(draw, pass.state, kAlphaOver);
+    const float alpha  = whiteout(cloud, draw.view);
+    if (alpha <= 0.0f) return;
+    Vec3 color = color_around(draw.baked, draw.view.eye, kColorReach * whiteout_reach_m(cloud, draw.view));
+    if (cloud.tint) color *= *cloud.tint;
+    Pass& pass = append_pass(draw, "whiteout: the eye is inside", draw.scene.back_buffer,
+                             {0, 0, draw.view.width, draw.view.height});
+    pass.state.blend = kAlphaOver;  // nearer things as well: what is around the eye is before all
     DrawRectangle all;
     all.x1    = static_cast<float>(draw.view.width);
     all.y1    = static_cast<float>(draw.view.height);

@@ -118,7 +118,10 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
     for (const BakedCloud& baked : clouds) {
         const BlurPlan blur = plan_blur(baked.cloud.mode, wanted_sigma_px(baked, view));
         const auto rim      = static_cast<int>(std::ceil(3.0f * sigma_px(blur)));
-        const auto bounds   = screen_bounds(baked.cloud, view, rim, 1 << blur.levels);
+        auto bounds         = screen_bounds(baked.cloud, view, rim, 1 << blur.levels);
+        // Behind the eye, but around it.
+        if (!bounds && whiteout(baked.cloud, view) > 0.0f)
+            bounds = PixelRect{0, 0, round_up(view.width, 1 << blur.levels), round_up(view.height, 1 << blur.levels)};
         if (!bounds || baked.cloud.opacity <= 0.0f) continue;
         seen.push_back({&baked, blur, *bounds, nearest_m(baked, view.eye)});
         blur_levels = std::max(blur_levels, blur.levels);
