@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "cloud/bounds.h"
@@ -19,13 +21,14 @@ bool drawn_alike(const Cloud& a, const Cloud& b) {
            a.second_box_turn == b.second_box_turn;
 }
 
-bool touch(const BakedCloud& a, const BakedCloud& b) {
-    if (glm::any(glm::greaterThan(a.lit.low, b.lit.high)) || glm::any(glm::greaterThan(b.lit.low, a.lit.high)))
-        return false;
-    for (const Particle& p : a.cloud.particles)
-        for (const Particle& q : b.cloud.particles)
-            if (glm::length(p.center - q.center) < greatest_radius(p) + greatest_radius(q)) return true;
-    return false;
+// Most particles first; equal ones by name and place.
+bool comes_first(const BakedCloud& a, const BakedCloud& b) {
+    const auto key = [](const BakedCloud& baked) {
+        const Vec3 low = baked.lit.low;
+        return std::tuple(-static_cast<std::ptrdiff_t>(baked.cloud.particles.size()),
+                          std::string_view(baked.cloud.name), low.x, low.y, low.z);
+    };
+    return key(a) < key(b);
 }
 
 Box hull(const Box& a, const Box& b) {
@@ -47,7 +50,17 @@ void append(BakedCloud& to, const BakedCloud& from) {
 
 }  // namespace
 
+bool touch(const BakedCloud& a, const BakedCloud& b) {
+    if (glm::any(glm::greaterThan(a.lit.low, b.lit.high)) || glm::any(glm::greaterThan(b.lit.low, a.lit.high)))
+        return false;
+    for (const Particle& p : a.cloud.particles)
+        for (const Particle& q : b.cloud.particles)
+            if (glm::length(p.center - q.center) < greatest_radius(p) + greatest_radius(q)) return true;
+    return false;
+}
+
 std::vector<BakedCloud> merge_touching(std::vector<BakedCloud> clouds) {
+    std::stable_sort(clouds.begin(), clouds.end(), comes_first);
     for (std::size_t i = 0; i < clouds.size(); ++i) {
         const auto joins = [&](const BakedCloud& other) {
             return drawn_alike(clouds[i].cloud, other.cloud) && touch(clouds[i], other);

@@ -9,8 +9,12 @@
 
 namespace cloud {
 
-// Clouds of equal settings whose particles touch become one, with the name, the fractal and the box of the first. Clouds
-// that are drawn differently stay apart: they are meant to be layers. Keeps the order of the firsts.
+// Clouds of equal settings whose particles touch become one, with the name, the fractal and the box of the one with the
+// most particles; the result does not depend on their order. Clouds that are drawn differently stay apart: they are
+// meant to be layers.
 std::vector<BakedCloud> merge_touching(std::vector<BakedCloud> clouds);
+
+// Does a particle of one reach into a particle of the other?
+bool touch(const BakedCloud& a, const BakedCloud& b);
 
 }  // namespace cloud

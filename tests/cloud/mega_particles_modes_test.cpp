@@ -326,4 +326,12 @@ TEST_CASE("clouds that reach into each other become one", "[cloud]") {
     CHECK(merged[0].cloud.particles.size() == 2);
     CHECK(merged[0].lit.vertices.size() == 2 * at(0, 1).lit.vertices.size());
     CHECK(merged[0].lit.high.x > 24.0f);
+    // The one with the most particles leads, whatever the order.
+    BakedCloud small = at(0, 1), large = at(15, 1);
+    small.cloud.name = std::string(1, 'a'), large.cloud.name = std::string(1, 'b');
+    large.cloud.particles.push_back(ball(Vec3(20.0f, 60.0f, 0.0f), 10.0f));
+    large                = bake(large.cloud, Daylight{});
+    const ColorImage one = execute(frame_of(merge_touching({small, large}), kFront)).output;
+    CHECK(merge_touching({small, large})[0].cloud.name == "b");
+    CHECK(greatest_difference(one, execute(frame_of(merge_touching({large, small}), kFront)).output) == 0);
 }
