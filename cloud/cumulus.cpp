@@ -30,8 +30,8 @@ std::vector<Particle> cumulus_cores(const CumulusShape& shape) {
     const auto add = [&](float x, float y, float z, float radius) {
         // Nothing above the top that was asked for, nor beyond the sides.
         y = std::max(std::min(y, shape.size.y - radius), 0.35f * radius);
-        x = std::clamp(x, radius - half.x, std::max(half.x - radius, radius - half.x));
-        z = std::clamp(z, radius - half.z, std::max(half.z - radius, radius - half.z));
+        x = std::clamp(x, -std::max(half.x - radius, 0.0f), std::max(half.x - radius, 0.0f));
+        z = std::clamp(z, -std::max(half.z - radius, 0.0f), std::max(half.z - radius, 0.0f));
         cores.push_back({.center = Vec3(x, y, z), .radius = radius});
     };
     float x = 1.0f, z = 0.0f;
@@ -52,7 +52,7 @@ std::vector<Particle> cumulus_cores(const CumulusShape& shape) {
         add(px, 0.4f * radius, pz, radius);
         // A tower: what the top still lacks, narrower upwards and leaning.
         float y = 0.4f * radius, r = radius, lean_x = px, lean_z = pz;
-        while (y + r < top && cores.size() < 256) {
+        while (y + r < top && r > 0.3f * radius && cores.size() < 256) {
             const auto floor = static_cast<std::uint32_t>(cores.size());
             y += 0.62f * r;
             r *= 0.88f;

@@ -11,7 +11,7 @@
 namespace cloud {
 
 // size: of the whole in metres: width along x, height above the base, depth along z. flatness: 0 a heap as high as size
-// says all over, 1 a dome that falls to a quarter of the height at its rim. The base lies at y = 0, its middle at x = z
+// says all over, 1 a dome that falls to a quarter of the height at its rim. The base is meant to lie at y = 0 (Cloud::base_y), its middle at x = z
 // = 0. seed: of all places and sizes.
 struct CumulusShape {
     Vec3 size          = Vec3(80.0f, 40.0f, 50.0f);

@@ -66,11 +66,14 @@ std::vector<BakedCloud> merge_touching(std::vector<BakedCloud> clouds) {
             return drawn_alike(clouds[i].cloud, other.cloud) && touch(clouds[i], other);
         };
         // What has joined may touch those that stood apart.
-        const auto rest = clouds.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-        for (auto found = std::find_if(rest, clouds.end(), joins); found != clouds.end();
-             found      = std::find_if(rest, clouds.end(), joins)) {
-            append(clouds[i], *found);
-            clouds.erase(found);
+        for (std::size_t j = i + 1; j < clouds.size();) {
+            if (!joins(clouds[j])) {
+                ++j;
+                continue;
+            }
+            append(clouds[i], clouds[j]);
+            clouds.erase(clouds.begin() + static_cast<std::ptrdiff_t>(j));
+            j = i + 1;
         }
     }
     return clouds;

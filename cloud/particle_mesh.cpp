@@ -80,7 +80,7 @@ int choose_level(float radius_px, float sigma_px) {
 }
 
 Vec3 squash(Vec3 point, float base_y) {
-    if (point.y < base_y) point.y = base_y + (point.y - base_y) * 0.15f;
+    if (point.y < base_y) point.y = base_y + (point.y - base_y) * kSquash;
     return point;
 }
 

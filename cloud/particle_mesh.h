@@ -36,6 +36,7 @@ const Icosphere& icosphere();
 int choose_level(float radius_px, float sigma_px);
 
 // Points below the base keep 15 % of their depth under it.
+inline constexpr float kSquash = 0.15f;
 Vec3 squash(Vec3 point, float base_y);
 
 // lumps: the displacement at each vertex, -1..1, before it is scaled; it also varies the light.

@@ -75,12 +75,13 @@ class Shadows {
         float core_radius = 0.0f;
         for (const Particle& particle : cloud.particles) {
             to_ball_.push_back(glm::inverse(particle.shape));
-            core_radius = std::max(core_radius, particle.radius);
+            if (particle.alpha > 0.0f) core_radius = std::max(core_radius, particle.radius);
         }
         for (std::size_t i = 0; i < cloud.particles.size(); ++i) {
             const Particle& particle = cloud.particles[i];
-            obstacles_.push_back({Vec4(particle.center, particle.radius * particle.radius),
-                                  particle.shape == Mat3(1.0f) ? nullptr : &to_ball_[i]});
+            const float radius       = particle.alpha > 0.0f ? particle.radius : 0.0f;  // else it is not there
+            obstacles_.push_back(
+                {Vec4(particle.center, radius * radius), particle.shape == Mat3(1.0f) ? nullptr : &to_ball_[i]});
         }
         // Behind a core's diameter 0.15 + 0.85 exp(-2.14) = 1/4 is left.
         per_metre_ = core_radius > 0.0f ? 2.14f * std::max(cloud.absorption, 0.0f) / (2.0f * core_radius) : 0.0f;

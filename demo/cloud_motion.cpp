@@ -15,9 +15,11 @@ namespace demo {
 namespace {
 
 constexpr double kFlickersPerSecond = 9.0;
+constexpr float kLeastRadius        = 0.01f;  // metres; cloud::bake refuses less than a tenth of it
 
 cloud::Turn turned(double degrees) {
-    return cloud::Turn(static_cast<float>(cosine(radians(degrees))), static_cast<float>(sine(radians(degrees))));
+    const double angle = radians(std::fmod(degrees, 360.0));
+    return cloud::Turn(static_cast<float>(cosine(angle)), static_cast<float>(sine(angle)));
 }
 
 cloud::Mat3 stretching(const CloudPlan& plan) {
@@ -50,7 +52,7 @@ std::vector<cloud::Particle> particles_at(const SceneCloud& scene_cloud, double 
     for (cloud::Particle& particle : particles) {
         particle.shape  = stretching(plan) * particle.shape;
         particle.center = plan.position + plan.scale * particle.center;
-        particle.radius *= plan.scale;
+        particle.radius = std::max(particle.radius * plan.scale, kLeastRadius);
         particle.color *= plan.color;
     }
     return particles;
@@ -60,7 +62,7 @@ void apply_size(const CloudKey& key, Vec3 middle, std::vector<cloud::Particle>& 
     if (key.spread == 1.0f && key.size == 1.0f) return;  // nothing is rounded
     for (cloud::Particle& particle : particles) {
         particle.center = middle + key.spread * (particle.center - middle);
-        particle.radius = std::max(particle.radius * key.size, 0.01f);
+        particle.radius = std::max(particle.radius * key.size, kLeastRadius);
     }
 }
 
@@ -132,7 +134,11 @@ bool moves(const CloudPlan& plan) {
 }
 
 cloud::Box box_over_time(const SceneCloud& scene_cloud, double last_s) {
-    constexpr int kMoments = 24;
+    constexpr int kMoments = 120;
+    const CloudPlan& plan  = scene_cloud.plan;
+    last_s                 = std::max(last_s, plan.keys.last_seconds());
+    if (plan.stream) last_s = std::max(last_s, plan.stream->life_s);
+    if (scene_cloud.file) last_s = std::max(last_s, scene_cloud.file->duration());
     cloud::Box box{Vec3(1e30f), Vec3(-1e30f)};
     for (int i = 0; i <= kMoments; ++i) {
         const double seconds                   = last_s * i / kMoments;

@@ -15,7 +15,8 @@ cloud::Cloud cloud_at(const SceneCloud& scene_cloud, double seconds);
 // Does it need new light as it moves? If not, only what is drawn with each frame anyway changes.
 bool reshapes(const CloudPlan& plan);
 
-// A box that holds all of a cloud that reshapes, at any time up to `last_s`; relative to the offset of its keys.
+// A box around a cloud that reshapes, at 121 moments from 0 to `last_s` or to where its motion ends or repeats; relative
+// to the offset of its keys.
 cloud::Box box_over_time(const SceneCloud& scene_cloud, double last_s);
 
 // Does it move in any way?

@@ -35,7 +35,7 @@ Life life_at(const ParticleStream& stream, int particle, double seconds) {
     if (since < 0.0) return {};
     const double births = std::floor(since / stream.life_s);
     if (stream.birth == Birth::Burst && births > 0.0) return {};
-    return {static_cast<int>(births), since - births * stream.life_s, true};
+    return {static_cast<int>(std::fmod(births, 1048576.0)), since - births * stream.life_s, true};
 }
 
 // Directions spread evenly over a sphere, turned by `turns` about the vertical and rolled by `roll_rad` about x.
@@ -58,7 +58,7 @@ std::vector<cloud::Particle> stream_particles(const ParticleStream& stream, doub
         const auto varied                 = [&](float value, int which) {
             return value * (1.0f + stream.irregularity * habit(stream, i, life.birth, which));
         };
-        const double turn = i * kGoldenAngle + radians(stream.swirl_deg) * life.age_s;
+        const double turn = i * kGoldenAngle + radians(std::fmod(stream.swirl_deg * life.age_s, 360.0));
         const float height =
             stream.in_ball ? 1.0f - 2.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(stream.count) : 0.0f;
         const float level = std::sqrt(1.0f - height * height), spread = varied(stage.spread, 0);

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "demo/cloud_motion.h"
@@ -128,6 +129,16 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& wor
 
 }  // namespace
 
+cloud::BakedCloud bake_cloud(const SceneDescription& scene, const cloud::Cloud& cloud,
+                             const cloud::BakedCloud* before) {
+    try {
+        return before ? cloud::bake(cloud, scene.light, *before, on_all_cores)
+                      : cloud::bake(cloud, scene.light, on_all_cores);
+    } catch (const std::invalid_argument& error) {
+        throw SceneError(scene.name + ": " + error.what());
+    }
+}
+
 Scene build_scene(SceneDescription description) {
     Scene scene;
     const double last_s = (description.frames - 1) / description.fps;
@@ -138,8 +149,7 @@ Scene build_scene(SceneDescription description) {
     }
     tbb::parallel_invoke(
         [&] {
-            for (std::size_t i = 0; i < clouds.size(); ++i)
-                scene.clouds[i].baked = cloud::bake(clouds[i], description.light, on_all_cores);
+            for (std::size_t i = 0; i < clouds.size(); ++i) scene.clouds[i].baked = bake_cloud(description, clouds[i]);
         },
         [&] { scene.geometry = build_geometry(description, clouds); });
     scene.description = std::move(description);

@@ -8,6 +8,10 @@
 
 namespace demo {
 
+// Bakes on all cores; a cloud that makes no sense is a SceneError. before: as in cloud/bake.h.
+cloud::BakedCloud bake_cloud(const SceneDescription& scene, const cloud::Cloud& cloud,
+                             const cloud::BakedCloud* before = nullptr);
+
 // Throws SceneError for a file that cannot be read.
 Scene build_scene(SceneDescription description);
 

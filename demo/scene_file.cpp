@@ -159,7 +159,7 @@ Solid read_solid(TableReader reader) {
 }
 
 void read_weather(TableReader reader, double& last_s, WeatherPath& weather) {
-    const double at = read_time(reader, last_s, weather.empty());
+    const double at = read_time(reader, last_s);
     const auto read = [&](const char* key, Track<Vec3>& track, Range range) {
         Vec3 value;
         if (reader.read(key, value, range)) track.add(at, value);
@@ -206,7 +206,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& file, con
     if (auto table = reader.table("fog")) read_fog(*table, scene.fog);
     if (auto table = reader.table("terrain")) scene.terrain = read_terrain(*table);
     for (TableReader& table : reader.tables("solid", kMaxSolids)) scene.solids.push_back(read_solid(std::move(table)));
-    double weather_s = 0.0;
+    double weather_s = -1.0;
     for (TableReader& table : reader.tables("weather", kMaxKeys))
         read_weather(std::move(table), weather_s, scene.weather);
     for (TableReader& table : reader.tables("mesh", kMaxMeshes)) scene.meshes.push_back(read_mesh(std::move(table)));

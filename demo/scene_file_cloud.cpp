@@ -2,6 +2,7 @@
 #include "demo/scene_file_cloud.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace demo {
 namespace {
@@ -45,8 +46,9 @@ void read_cumulus(TableReader& reader, CloudPlan& plan) {
     cloud::CumulusShape& shape = plan.cumulus.emplace();
     reader.read("size", shape.size, {0.1, 1e4});
     reader.read("flatness", shape.flatness, kShare);
-    shape.seed      = plan.seed;
-    int generations = 3;
+    shape.seed           = plan.seed;
+    plan.settings.base_y = 0.0f;  // if the scene says no other
+    int generations      = 3;
     reader.read("generations", generations, 1, 3);
     const auto cores = static_cast<int>(cloud::cumulus_cores(shape).size());
     if (generations >= 2) plan.crown = std::min(4 * cores, kMaxParticlesPerCloud - cores);
@@ -72,11 +74,17 @@ ParticleStream read_stream(TableReader reader) {
     };
     const auto number = [](double value) { return static_cast<float>(value); };
     read_ages("stages", 5, [&](const std::vector<double>& row) {
+        if (row[3] < 0.0 || row[4] < 0.0 || row[4] > 1.0 || std::abs(row[1]) > 1e4 || std::abs(row[2]) > 1e4 ||
+            row[3] > 1e4)
+            reader.fail("stages",
+                        "must have spreads, heights and radii up to 1e4, radii from 0 and alphas from 0 to 1");
         stream.stages.add(row[0], {number(row[1]), number(row[2]), number(row[3]), number(row[4])});
     });
     if (stream.stages.empty()) reader.fail("stages", "must hold rows of [age, spread, height, radius, alpha]");
     const auto add_color = [&](Track<Vec3>& track) {
         return [&](const std::vector<double>& row) {
+            if (std::min({row[1], row[2], row[3]}) < 0.0 || std::max({row[1], row[2], row[3]}) > kLight.high)
+                reader.fail("stages", "must have colors and glow from 0 to 4");
             track.add(row[0], Vec3(number(row[1]), number(row[2]), number(row[3])));
         };
     };
@@ -113,14 +121,15 @@ void read_particles(TableReader& reader, CloudPlan& plan) {
     if (plan.stream || plan.particle_file) return;
     reader.read("crown", plan.crown, 0, kMaxParticlesPerCloud);
     reader.read("rim", plan.rim, 0, kMaxParticlesPerCloud);
-    const int particles = static_cast<int>(plan.cores.size()) + plan.crown + plan.rim;
+    const std::size_t cores = plan.cumulus ? cloud::cumulus_cores(*plan.cumulus).size() : plan.cores.size();
+    const int particles     = static_cast<int>(cores) + plan.crown + plan.rim;
     if (particles > kMaxParticlesPerCloud)
         reader.fail("cores", "with crown and rim must come to at most " + std::to_string(kMaxParticlesPerCloud) +
                                  " particles (got " + std::to_string(particles) + ")");
 }
 
 void read_key(TableReader reader, double& last_s, Track<CloudKey>& keys) {
-    const double at = read_time(reader, last_s, keys.empty());
+    const double at = read_time(reader, last_s);
     CloudKey key;
     reader.read("offset", key.offset, kCoordinate);
     reader.read("color", key.color, kShare);
@@ -178,7 +187,7 @@ CloudPlan read_cloud(TableReader reader) {
     plan.has_second_box = reader.read("second_box_turn", plan.second_box_turn_deg, kTurn);
     if (cloud.blur_m * plan.scale > 1e5f) reader.fail("blur", "must be <= 1e5 once scaled");
     if (auto fractal = reader.table("fractal")) read_fractal(*fractal, cloud.fractal);
-    double last_s = 0.0;
+    double last_s = -1.0;
     for (TableReader& table : reader.tables("key", kMaxKeys)) read_key(std::move(table), last_s, plan.keys);
     for (TableReader& table : reader.tables("light", kMaxCloudLights))
         plan.lights.push_back(read_cloud_light(std::move(table)));
@@ -186,10 +195,10 @@ CloudPlan read_cloud(TableReader reader) {
     return plan;
 }
 
-double read_time(TableReader& reader, double& last_s, bool is_first) {
+double read_time(TableReader& reader, double& last_s) {
     double at = 0.0;
     reader.read("at", at, {0.0, 1e6});
-    if (!is_first && at <= last_s) reader.fail("at", "must be later than that of the key before");
+    if (at <= last_s) reader.fail("at", "must be later than that of the key before");
     return last_s = at;
 }
 

@@ -10,7 +10,7 @@ inline constexpr Range kLight{0.0, 4.0};
 
 CloudPlan read_cloud(TableReader reader);
 
-// `at`, in seconds, of one in a list of keys: later than last_s, which it becomes.
-double read_time(TableReader& reader, double& last_s, bool is_first);
+// `at`, in seconds, of one in a list of keys: later than last_s, which it becomes; start with -1.
+double read_time(TableReader& reader, double& last_s);
 
 }  // namespace demo

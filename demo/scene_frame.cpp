@@ -58,7 +58,9 @@ SceneDescription in_weather(const SceneDescription& description, double seconds)
         if (!track.empty()) value = track.linear(seconds);
     };
     set(path.to_sun, now.light.to_sun);
-    now.light.to_sun = glm::normalize(now.light.to_sun);
+    // Between opposite suns there is none.
+    const float length = glm::length(now.light.to_sun);
+    now.light.to_sun   = length > 1e-3f ? now.light.to_sun / length : description.light.to_sun;
     set(path.sun, now.light.sun);
     set(path.sky, now.light.sky);
     set(path.bounce, now.light.bounce);
@@ -105,7 +107,7 @@ class SceneFrame {
         solids("solids", geometry_.solids_behind);
         sky();
         frame_.passes.front().clear = {.color = fog_color(), .depth = 1.0f};
-        const bool clouds_last      = options_.order == cloud::Order::OrderFree;
+        const bool clouds_last      = are_order_free();
         if (clouds_last) solids("objects in front", geometry_.solids_in_front);
         const std::size_t first_cloud_pass = frame_.passes.size();
         clouds();
@@ -147,17 +149,23 @@ class SceneFrame {
         if (moves(cloud.plan)) {
             cloud::Cloud now = cloud_at(cloud, seconds_);
             if (reshapes(cloud.plan))
-                baked = cloud::bake(now, about_.light, cloud.baked);
+                baked = bake_cloud(about_, now, &cloud.baked);
             else
                 baked.cloud = std::move(now);
         }
         if (options_.mode && *options_.mode != baked.cloud.mode) {
             baked.cloud.mode = *options_.mode;
-            baked            = cloud::bake(baked.cloud, about_.light);  // each mode has its own code in the fractal
+            baked            = bake_cloud(about_, baked.cloud);  // each mode has its own code in the fractal
         }
         if (options_.order) baked.cloud.order = *options_.order;
         if (!options_.has_detail) baked.cloud.detail = cloud::Detail::None;
         return baked;
+    }
+
+    bool are_order_free() const {
+        if (options_.order) return *options_.order == cloud::Order::OrderFree;
+        return std::all_of(scene_.clouds.begin(), scene_.clouds.end(),
+                           [](const SceneCloud& cloud) { return cloud.grown.order == cloud::Order::OrderFree; });
     }
 
     void clouds() {

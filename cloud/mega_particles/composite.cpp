@@ -14,17 +14,25 @@ using namespace pipeline;
 
 namespace {
 
-constexpr float kReachSigmas = 10.0f;  // of the blur, before the surface
-constexpr float kColorReach  = 1.5f;
+// How far before the surface it starts: so many standard deviations of the blur, but within so much of the largest radius.
+constexpr float kReachSigmas = 10.0f, kReachRadii = 0.6f;
+constexpr float kColorReach = 1.5f;  // of the surfaces whose colour it takes
 
 float whiteout_reach_m(const Cloud& cloud, const View& view) {
-    return std::max(kReachSigmas * cloud.blur_m, near_reach_m(view));
+    float largest = 0.0f;
+    for (const Particle& particle : cloud.particles)
+        if (particle.alpha > 0.0f) largest = std::max(largest, particle.radius);
+    return std::max(std::min(kReachSigmas * cloud.blur_m, kReachRadii * largest), near_reach_m(view));
 }
 
 // Distance from the eye to the surface of the particle, about; negative inside.
-float surface_m(const Particle& particle, Vec3 eye) {
-    const Vec3 in_ball = glm::inverse(particle.shape) * (eye - particle.center);
-    return glm::length(in_ball) - particle.radius;
+float surface_m(const Cloud& cloud, const Particle& particle, Vec3 eye) {
+    if (eye.y < cloud.base_y) eye.y = cloud.base_y + (eye.y - cloud.base_y) / kSquash;
+    // In the axes of a ball of its radius; the gradient there tells what a metre is.
+    const Mat3 to_ball = glm::inverse(particle.shape);
+    const Vec3 q       = to_ball * (eye - particle.center);
+    const float length = glm::length(q), slope = glm::length(glm::transpose(to_ball) * q);
+    return slope > 0.0f ? (length - particle.radius) * length / slope : -particle.radius;
 }
 
 // The mean colour of the surface around the eye: with distance d a vertex counts 1 / (1 + (d / reach)^2)^2, and less the
@@ -74,11 +82,13 @@ void append_composite(const CloudDraw& draw, TargetId finished) {
 }
 
 float whiteout(const Cloud& cloud, const View& view) {
-    float nearest = 1.0f;
-    for (const Particle& particle : cloud.particles)
-        nearest =
-            std::min(nearest, surface_m(particle, view.eye) / (whiteout_reach_m(cloud, view) * particle.alpha + 1e-6f));
-    return std::min(1.0f - nearest, 1.0f) * cloud.opacity * (1.0f - cloud.dissolve);
+    const float reach = whiteout_reach_m(cloud, view);
+    float most        = 0.0f;
+    for (const Particle& particle : cloud.particles) {
+        const float outside = surface_m(cloud, particle, view.eye) / reach;
+        most                = std::max(most, particle.alpha * std::clamp(1.0f - outside, 0.0f, 1.0f));
+    }
+    return most * cloud.opacity * (1.0f - cloud.dissolve);
 }
 
 void append_whiteout(const CloudDraw& draw) {
@@ -87,8 +97,8 @@ void append_whiteout(const CloudDraw& draw) {
     if (alpha <= 0.0f) return;
     Vec3 color = color_around(draw.baked, draw.view.eye, kColorReach * whiteout_reach_m(cloud, draw.view));
     if (cloud.tint) color *= *cloud.tint;
-    Pass& pass = append_pass(draw, "whiteout: the eye is inside", draw.scene.back_buffer,
-                             {0, 0, draw.view.width, draw.view.height});
+    Pass& pass       = append_pass(draw, "whiteout: the eye is inside", draw.scene.back_buffer,
+                                   {0, 0, draw.view.width, draw.view.height});
     pass.state.blend = kAlphaOver;  // nearer things as well: what is around the eye is before all
     DrawRectangle all;
     all.x1    = static_cast<float>(draw.view.width);

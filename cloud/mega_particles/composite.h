@@ -11,8 +11,8 @@ namespace cloud {
 void append_composite(const CloudDraw& draw, pipeline::TargetId finished);
 
 // With the eye inside a particle there is nothing to see but the cloud: the whole picture takes the colour of what is
-// around the eye, and begins to within ten standard deviations of the blur from the surface, so that coming in and
-// going out are gradual. Appends nothing from farther away.
+// around the eye, and begins to within ten standard deviations of the blur from the surface, but not beyond 0.6 of the
+// largest radius, so that coming in and going out are gradual. Appends nothing from farther away.
 void append_whiteout(const CloudDraw& draw);
 
 // Its alpha: 0 from farther away.

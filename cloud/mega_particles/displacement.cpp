@@ -42,7 +42,7 @@ Displacement displacement_of(const CloudDraw& draw) {
 
 // In front of the near plane, wherever the cloud is: depth takes no part.
 float grid_depth_m(const CloudDraw& draw) {
-    return 4.0f * draw.view.near_m;
+    return 1.2f * draw.view.near_m;
 }
 
 }  // namespace

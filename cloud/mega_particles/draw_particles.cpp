@@ -46,6 +46,7 @@ DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_
     DrawTriangles triangles;
     triangles.first_index = static_cast<std::uint32_t>(frame.indices.size());
     for (std::size_t particle : order) {
+        if (draw.baked.cloud.particles[particle].alpha <= 0.0f) continue;  // not there
         const int level       = std::max(level_of(draw, particle) - coarser, 0);
         const auto first      = static_cast<std::uint32_t>(frame.vertices.size());
         const std::size_t lit = particle * icosphere_vertices(kFinestLevel);
