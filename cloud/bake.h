@@ -27,7 +27,7 @@ Box fractal_box(const Cloud& cloud, const LitParticles& lit);
 // not a power of two, and so on.
 BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const ForEach& for_each = one_by_one);
 
-// The same with the fractal of another bake, for which the cloud's fractal, box and mode must have been the same.
+// The same with the fractal of another bake, for which the cloud's fractal, its box's size and its mode must have been the same.
 BakedCloud bake(const Cloud& cloud, const Daylight& daylight, const BakedCloud& before,
                 const ForEach& for_each = one_by_one);
 

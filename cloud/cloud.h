@@ -18,8 +18,9 @@ using pipeline::Vec3;
 using pipeline::Vec4;
 using Mat3 = glm::mat3;
 
-// A mega-particle: one large lit sphere, or the ellipsoid that `shape` makes of it; its determinant is above 0. glow:
-// light of its own, added to what falls on it. generation: 0 core, 1 crown, 2 rim.
+// A mega-particle: one large lit sphere, or the ellipsoid that `shape` makes of it; its determinant is above 0. alpha: of
+// its surface; the nearest particle's alone counts, for it replaces what is behind it. At 0 it is not there. glow: light
+// of its own, added to what falls on it. generation: 0 core, 1 crown, 2 rim.
 struct Particle {
     Vec3 center    = Vec3(0.0f);
     float radius   = 1.0f;
@@ -87,14 +88,15 @@ using Turn = Vec2;
 struct Cloud {
     std::string name = "cloud";
     std::vector<Particle> particles;
-    Mode mode        = Mode::Skirt;
-    Detail detail    = Detail::Fractal;
-    Order order      = Order::InOrder;
-    float base_y     = -1e9f;  // below it particles are squashed to a flat base
-    float blur_m     = 1.6f;   // standard deviation of the blur
-    float opacity    = 1.0f;   // constant translucency of the composite
-    float dissolve   = 0.0f;   // 0..1: Skirt: taken from the blurred alpha before the fractal acts; others fade evenly
-    float absorption = 1.0f;   // of sunlight on its way through; 1 leaves a quarter behind a core's diameter
+    Mode mode     = Mode::Skirt;
+    Detail detail = Detail::Fractal;
+    Order order   = Order::InOrder;
+    float base_y  = -1e9f;  // below it particles are squashed to a flat base
+    float blur_m  = 1.6f;   // standard deviation of the blur
+    float opacity = 1.0f;   // constant translucency of the composite
+    float dissolve =
+        0.0f;  // 0..1: Skirt with a fractal: taken from the blurred alpha before it acts; else all fades evenly
+    float absorption = 1.0f;  // of sunlight on its way through; 1 leaves a quarter behind a core's diameter
     Fractal fractal;
     float lumpiness    = 0.06f;  // greatest displacement of a particle's surface, over its radius
     float displacement = 1.2f;   // of Detail::Displacement: the greatest, in standard deviations of the blur

@@ -9,8 +9,8 @@
 
 namespace cloud {
 
-// Clouds of equal settings whose particles touch become one, with the name, the fractal and the box of the one with the
-// most particles; the result does not depend on their order. Clouds that are drawn differently stay apart: they are
+// Clouds of equal settings whose particles touch become one, with the name and the fractal of the one with the
+// most particles, in a box around all; the result does not depend on their order. Clouds that are drawn differently stay apart: they are
 // meant to be layers.
 std::vector<BakedCloud> merge_touching(std::vector<BakedCloud> clouds);
 
