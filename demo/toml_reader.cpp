@@ -18,9 +18,9 @@ std::string decimal(double value) {
     return {text.data(), end};
 }
 
-std::string quoted(const std::string& text) {
-    constexpr std::size_t kMost = 40;
-    std::string clean           = text.size() <= kMost ? text : text.substr(0, kMost) + "...";
+// A path needs its end: most = npos.
+std::string quoted(const std::string& text, std::size_t most = 40) {
+    std::string clean = text.size() <= most ? text : text.substr(0, most) + "...";
     std::replace_if(
         clean.begin(), clean.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
     return '"' + clean + '"';
@@ -160,7 +160,7 @@ bool TableReader::read(const char* key, FileReference& value) {
     namespace fs        = std::filesystem;
     const fs::path path = fs::path(file_).parent_path() / text(key, *node);
     std::error_code error;
-    if (!fs::is_regular_file(path, error)) fail(key, "names no file: " + quoted(path.string()));
+    if (!fs::is_regular_file(path, error)) fail(key, "names no file: " + quoted(path.string(), std::string::npos));
     value = {path.string(), place(node->source()) + full_name(key)};
     return true;
 }

@@ -71,11 +71,15 @@ double Comparison::mean() const {
     return pixels == edge ? 0.0 : sum / static_cast<double>(4 * (pixels - edge));
 }
 
+bool leans(const Comparison& comparison) {
+    constexpr double kMostMean = 0.05;
+    return std::abs(comparison.mean()) > kMostMean + comparison.explained_mean;
+}
+
 bool is_suspect(const Comparison& comparison) {
     constexpr std::uint64_t kEnoughPixels = 10000, kPixelsPerEdge = 500;
-    constexpr double kMostMean = 0.05;
     return comparison.pixels >= kEnoughPixels &&
-           (std::abs(comparison.mean()) > kMostMean || comparison.edge > comparison.pixels / kPixelsPerEdge);
+           (leans(comparison) || comparison.edge > comparison.pixels / kPixelsPerEdge);
 }
 
 void Comparison::add(const Comparison& other) {
@@ -125,7 +129,8 @@ Comparison compare(const ColorImage& ours, const ColorImage& peers, const Limits
         const int tolerance         = std::max(allowed_around(allowed, ours, difference.x, difference.y),
                                                limits.with_perspective(difference.x, difference.y));
         const bool moves            = envelope.changes(i) && envelope.contains(i, peers.pixels[i], tolerance);
-        if (moves || limits.is_excused(difference.x, difference.y)) {
+        const bool is_near          = difference.units <= limits.at_edge(difference.x, difference.y);
+        if (moves || is_near || limits.is_excused(difference.x, difference.y)) {
             ++result.edge;
         } else {
             ++result.failed;

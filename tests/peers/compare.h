@@ -8,9 +8,12 @@
 //   differ. Why that is enough: our vertices are moved by snapping at most 1/32 pixel along each axis, OpenGL's by
 //   1/512, so the surface is displaced by no more than that at any point of a triangle; what may have passed over the
 //   centre of the pixel (an edge, the line where two surfaces meet, a texel) does pass over it under one of the
-//   nudges.
+//   nudges. Two of ours do not show at an edge: a fragment of almost no alpha, and what a thin triangle's colour changes by
+//   within a subpixel, as corners are moved by whole ones. There the peer's value must be as near as roundings and that
+//   change allow.
 // - What is known of the triangles there excuses it (pass_geometry.h): one is thinner than what snapping moves its
-//   vertices by, so that it may be seen in one picture only, and nudges of the whole do not show it.
+//   vertices by, so that it may be seen in one picture only, or two are as near in depth, and nudges of the whole do not
+//   show it.
 #pragma once
 
 #include <cstdint>
@@ -39,6 +42,7 @@ struct Limits {
     std::function<std::vector<int>()> by_rounding;      // for each pixel
     std::function<int(int x, int y)> with_perspective;  // at least by_rounding
     std::function<Envelope()> envelope;
+    std::function<int(int x, int y)> at_edge;           // 0 where no edge is near
     std::function<bool(int x, int y)> is_excused;
 };
 
@@ -55,14 +59,17 @@ struct Comparison {
     std::uint64_t failed    = 0;  // beyond what is allowed, and no edge pixel
     Difference worst;             // of the pixels that are no edge pixels, failed ones first
     double sum = 0.0;             // of peer - ours over all channels but those of edge pixels
+    double explained_mean = 0.0;  // how far known causes may move the mean, to either side
 
     double mean() const;  // of peer - ours, in units
     void add(const Comparison& other);
 };
 
 // A rule that is broken everywhere by less than a pixel shows: in a picture large enough to tell, differences lean to one
-// side (roundings of both kinds leave a mean of 0.03 at most, a floor in place of the nearest 0.06 and more), or too many
-// pixels are excused as edges: more than one in 500, where the canyon's passes have up to one in 1000.
+// side by more than is explained (roundings of both kinds leave a mean of 0.03 at most, a floor in place of the nearest
+// 0.06 and more), or too many pixels are excused as edges: more than one in 500, where the canyon's passes have up to one
+// in 1000.
+bool leans(const Comparison& comparison);
 bool is_suspect(const Comparison& comparison);
 
 // Of two pictures of the same size.

@@ -110,7 +110,26 @@ class PassLimits {
 
     bool is_excused(int x, int y) {
         if (part_ == Part::Raster) return is_driver(Driver::Softpipe) && geometry().has_tie(x, y);
-        return geometry().has_sliver(x, y);
+        return geometry().has_sliver(x, y) || geometry().has_depth_tie(x, y);
+    }
+
+    int at_edge(int x, int y) {
+        if (part_ == Part::Raster || !geometry().has_edge(x, y)) return 0;
+        const double perspective = part_ == Part::Whole ? geometry().perspective(x, y) : 0.0;
+        return allowed_difference(pass_, fragment_error(pass_, perspective + geometry().displacement(x, y)),
+                                  layers_around(x, y));
+    }
+
+    // Of a mean of differences. Between texels, at their common corner, one sum of four in four is a tie: up in ours, to
+    // either side in OpenGL. Of perspective all is known but its sign.
+    double explained_mean() {
+        double mean = samples_between_texels() ? 1.0 / 8.0 : 0.0;
+        if (part_ != Part::Whole || width_ == 0) return mean;
+        double perspective = 0.0;
+        for (std::size_t i = 0; i < layers_.size(); ++i)
+            if (layers_[i] > 0)
+                perspective += geometry().perspective(static_cast<int>(i) % width_, static_cast<int>(i) / width_);
+        return mean + perspective / static_cast<double>(layers_.size());
     }
 
     int most_allowed() const { return most_allowed_; }
@@ -119,6 +138,22 @@ class PassLimits {
     ColorImage drawn_with(const Nudge& nudge) const {
         const Frame alone = isolate_pass(frame_, index_, before_, nudge);
         return part_ == Part::Vertices ? draw_with_gl(alone, WindowTriangles::Placed) : execute(alone).output;
+    }
+
+    // Another primitive than ours may be what the peer shows there.
+    int layers_around(int x, int y) const {
+        const int height = static_cast<int>(layers_.size()) / width_;
+        int greatest     = 0;
+        for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+            for (int i = std::max(0, x - 1); i <= std::min(width_ - 1, x + 1); ++i)
+                greatest = std::max(greatest, layers_[static_cast<std::size_t>(j * width_ + i)]);
+        return greatest;
+    }
+
+    bool samples_between_texels() const {
+        const auto& stages = pass_.state.stages;
+        return std::any_of(stages.begin(), stages.begin() + stage_count(pass_.state),
+                           [](const TextureStage& stage) { return stage.filter == TextureFilter::Linear; });
     }
 
     const PassGeometry& geometry() {
@@ -160,12 +195,14 @@ std::vector<PassComparison> compare_passes(const Frame& frame, const Frame& peer
         if (!pass.color) continue;
         const ColorImage& ours = *before[i + 1][static_cast<std::size_t>(pass.color.index)];
         PassLimits limits(frame, i, before, part);
-        const Comparison comparison =
+        Comparison comparison =
             compare(placed ? placed->read(pass.color) : ours, executor.read(pass.color),
                     {.by_rounding      = [&] { return limits.by_rounding(); },
                      .with_perspective = [&](int x, int y) { return limits.with_perspective(x, y); },
                      .envelope         = [&] { return limits.envelope(); },
+                     .at_edge          = [&](int x, int y) { return limits.at_edge(x, y); },
                      .is_excused       = [&](int x, int y) { return limits.is_excused(x, y); }});
+        if (leans(comparison)) comparison.explained_mean = limits.explained_mean();
         result.push_back({pass.label, comparison, limits.most_allowed()});
         executor.write(pass.color, ours);
         if (placed) placed->write(pass.color, ours);

@@ -22,6 +22,7 @@ Limits limits(const ColorImage& ours, int allowed) {
     return {.by_rounding      = [=] { return std::vector(ours.pixels.size(), allowed); },
             .with_perspective = [=](int, int) { return allowed; },
             .envelope         = [=] { return Envelope(ours); },
+            .at_edge          = [](int, int) { return 0; },
             .is_excused       = [](int, int) { return false; }};
 }
 
@@ -102,6 +103,16 @@ TEST_CASE("a sliver excuses any value, but only where it is", "[peers]") {
     CHECK(result.failed == 1);
 }
 
+TEST_CASE("at an edge roundings are enough, elsewhere not", "[peers]") {
+    const ColorImage ours = row({0x10, 0x10, 0x10});
+    Limits at_edges       = limits(ours, 0);
+    at_edges.at_edge      = [](int x, int) { return x == 1 ? 0 : 2; };
+
+    const Comparison result = compare(ours, row({0x12, 0x12, 0x13}), at_edges);
+    CHECK(result.edge == 1);
+    CHECK(result.failed == 2);
+}
+
 TEST_CASE("sums of comparisons keep the worst that failed", "[peers]") {
     const ColorImage ours = row({0});
     Comparison sum;
@@ -175,6 +186,8 @@ TEST_CASE("differences that lean to one side, or that are edges in number, are s
     CHECK(is_suspect({.pixels = 10000, .sum = 2001.0}));
     CHECK(is_suspect({.pixels = 10000, .sum = -2001.0}));
     CHECK_FALSE(is_suspect({.pixels = 9999, .sum = 39996.0}));  // too small to tell
+    CHECK_FALSE(is_suspect({.pixels = 10000, .sum = -4000.0, .explained_mean = 0.05}));
+    CHECK(is_suspect({.pixels = 10000, .sum = -4001.0, .explained_mean = 0.05}));
     CHECK_FALSE(is_suspect({.pixels = 10000, .edge = 20}));
     CHECK(is_suspect({.pixels = 10000, .edge = 21}));
 }

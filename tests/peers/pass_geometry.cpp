@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
+#include "pipeline/execute/lower.h"
 #include "pipeline/execute/vertex_stage.h"
 #include "tests/peers/gl_state.h"
 
@@ -15,9 +16,10 @@ using namespace pipeline;
 
 namespace {
 
-constexpr int kTile     = 16;    // pixels
-constexpr double kReach = 0.05;  // pixels: 1.42 * (1/32 + 1/512), and what floats lose
-constexpr int kFiner    = 16;    // OpenGL's grid, 1/256 pixel, is this much finer than the frame's
+constexpr int kTile          = 16;       // pixels
+constexpr double kReach      = 0.05;     // pixels: 1.42 * (1/32 + 1/512), and what floats lose
+constexpr double kFloatDepth = 0x1p-23;  // two roundings of a float below 1
+constexpr int kFiner         = 16;       // OpenGL's grid, 1/256 pixel, is this much finer than the frame's
 
 // The vertex stage drops what has no area on its grid. In a viewport this much larger that is OpenGL's grid.
 std::vector<raster::Triangle> triangles_of(const Frame& frame, Pass pass, const PixelRect& viewport) {
@@ -54,11 +56,20 @@ double distance_to_edge(const glm::dvec2& a, const glm::dvec2& b, const glm::dve
     return std::hypot(to_point.x - t * edge.x, to_point.y - t * edge.y);
 }
 
-int edges_near(const raster::Triangle& triangle, const glm::dvec2& point) {
-    int count = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        count += distance_to_edge(place(triangle[i]), place(triangle[(i + 1) % 3]), point) <= kReach;
-    return count;
+using Edge = std::pair<glm::dvec2, glm::dvec2>;
+
+std::vector<Edge> edges_near(const raster::Triangle& triangle, const glm::dvec2& point) {
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec2 a = place(triangle[i]), b = place(triangle[(i + 1) % 3]);
+        if (distance_to_edge(a, b, point) <= kReach) edges.emplace_back(a, b);
+    }
+    return edges;
+}
+
+// Neighbours in a mesh go round opposite ways.
+bool is_same(const Edge& a, const Edge& b) {
+    return a == b || (a.first == b.second && a.second == b.first);
 }
 
 bool is_on_edge(const raster::Subpixel& a, const raster::Subpixel& b, const raster::Subpixel& point) {
@@ -88,24 +99,60 @@ std::optional<std::array<double, 3>> weights_at(const raster::Triangle& triangle
     const std::array<double, 3> weights{cross(c - b, point - b) / area, cross(a - c, point - c) / area,
                                         cross(b - a, point - a) / area};
     const bool covers = *std::min_element(weights.begin(), weights.end()) >= 0.0;
-    if (!covers && edges_near(triangle, point) == 0) return std::nullopt;
+    if (!covers && edges_near(triangle, point).empty()) return std::nullopt;
     return weights;
+}
+
+// Per pixel, of what has these values at the corners.
+double slope(const raster::Triangle& triangle, double at_a, double at_b, double at_c) {
+    const glm::dvec2 a = place(triangle[0]), b = place(triangle[1]) - a, c = place(triangle[2]) - a;
+    const double area = cross(b, c), to_b = at_b - at_a, to_c = at_c - at_a;
+    return area == 0.0 ? 0.0 : std::hypot(to_b * c.y - to_c * b.y, to_c * b.x - to_b * c.x) / std::abs(area);
+}
+
+bool share_corner(const raster::Triangle& a, const raster::Triangle& b) {
+    return std::any_of(a.begin(), a.end(), [&](const raster::Vertex& p) {
+        return std::any_of(b.begin(), b.end(),
+                           [&](const raster::Vertex& q) { return p.x == q.x && p.y == q.y && p.z == q.z; });
+    });
+}
+
+bool is_culled(CullMode mode, const raster::Triangle& triangle) {
+    const double area = cross(place(triangle[1]) - place(triangle[0]), place(triangle[2]) - place(triangle[0]));
+    return mode == CullMode::Clockwise ? area > 0.0 : mode == CullMode::CounterClockwise && area < 0.0;
+}
+
+constexpr std::array kColors{&raster::Vertex::diffuse, &raster::Vertex::specular};
+constexpr int kShifts[] = {0, 8, 16, 24};
+
+double channel(const raster::Vertex& vertex, std::uint32_t raster::Vertex::*color, int shift) {
+    return static_cast<double>(vertex.*color >> shift & 255);
 }
 
 double perspective_difference(const raster::Triangle& triangle, const std::array<double, 3>& weights) {
     double rhw = 0.0;
     for (std::size_t i = 0; i < 3; ++i) rhw += weights[i] * double{triangle[i].rhw};
     double greatest = 0.0;
-    for (const auto color : {&raster::Vertex::diffuse, &raster::Vertex::specular})
-        for (int shift = 0; shift < 32; shift += 8) {
+    for (const auto color : kColors)
+        for (const int shift : kShifts) {
             double linear = 0.0, perspective = 0.0;
             for (std::size_t i = 0; i < 3; ++i) {
-                const double value = triangle[i].*color >> shift & 255;
+                const double value = channel(triangle[i], color, shift);
                 linear += weights[i] * value;
                 perspective += weights[i] * double{triangle[i].rhw} * value / rhw;
             }
             greatest = std::max(greatest, std::abs(linear - perspective));
         }
+    return greatest;
+}
+
+double steepest_color(const raster::Triangle& triangle) {
+    double greatest = 0.0;
+    for (const auto color : kColors)
+        for (const int shift : kShifts)
+            greatest =
+                std::max(greatest, slope(triangle, channel(triangle[0], color, shift),
+                                         channel(triangle[1], color, shift), channel(triangle[2], color, shift)));
     return greatest;
 }
 
@@ -118,23 +165,34 @@ PassGeometry::PassGeometry(const Frame& frame, std::size_t index) : pass_(frame.
     height_              = (target.height + kTile - 1) / kTile;
     tiles_.resize(static_cast<std::size_t>(width_ * height_));
 
+    if (drawn.depth)
+        depth_step_ = kFloatDepth +
+                      std::ldexp(1.0, -depth_bits(frame.targets[static_cast<std::size_t>(drawn.depth.index)].format));
+
     for (std::size_t i = 0; i <= index; ++i) {
-        const Pass& pass = frame.passes[i];
-        if (i != index && !(pass.depth && pass.depth == drawn.depth)) continue;
+        const Pass& pass      = frame.passes[i];
+        const bool is_of_pass = i == index;
+        if (!is_of_pass && !(pass.depth && pass.depth == drawn.depth)) continue;
+        const bool writes_depth = pass.depth && pass.state.depth.write;
         for (const raster::Triangle& triangle : triangles_of(frame, pass, area_of(frame, pass).viewport))
-            add(triangle, i == index);
+            add({triangle, is_of_pass, is_culled(pass.state.cull, triangle), writes_depth});
+        if (pass.clear.depth) flat_surfaces_.push_back({*pass.clear.depth, depth_step_, false, true});
+        for (const Draw& draw : pass.draws)
+            if (const auto* rectangle = std::get_if<DrawRectangle>(&draw))
+                flat_surfaces_.push_back({rectangle->depth, depth_step_, is_of_pass, writes_depth});
     }
 }
 
-void PassGeometry::add(const raster::Triangle& triangle, bool is_of_pass) {
-    const auto [x0, x1] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
-    const auto [y0, y1] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
-    const auto tile     = [](float coordinate, int count) {
+void PassGeometry::add(const NearTriangle& near) {
+    const raster::Triangle& triangle = near.corners;
+    const auto [x0, x1]              = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
+    const auto [y0, y1]              = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
+    const auto tile                  = [](float coordinate, int count) {
         return static_cast<int>(std::clamp(std::floor(coordinate / float{kTile}), -1.0f, static_cast<float>(count)));
     };
     for (int y = std::max(0, tile(y0 - 1.0f, height_)); y <= std::min(height_ - 1, tile(y1 + 1.0f, height_)); ++y)
         for (int x = std::max(0, tile(x0 - 1.0f, width_)); x <= std::min(width_ - 1, tile(x1 + 1.0f, width_)); ++x)
-            tiles_[static_cast<std::size_t>(y * width_ + x)].push_back({triangle, is_of_pass});
+            tiles_[static_cast<std::size_t>(y * width_ + x)].push_back(near);
 }
 
 const std::vector<PassGeometry::NearTriangle>& PassGeometry::near(int x, int y) const {
@@ -143,9 +201,60 @@ const std::vector<PassGeometry::NearTriangle>& PassGeometry::near(int x, int y) 
 
 bool PassGeometry::has_sliver(int x, int y) const {
     const glm::dvec2 center(x + 0.5, y + 0.5);
+    std::optional<Edge> first;
+    for (const NearTriangle& triangle : near(x, y))
+        for (const Edge& edge : edges_near(triangle.corners, center)) {
+            if (first && !is_same(*first, edge)) return true;
+            first = edge;
+        }
+    return false;
+}
+
+bool PassGeometry::has_edge(int x, int y) const {
+    const glm::dvec2 center(x + 0.5, y + 0.5);
     const auto& triangles = near(x, y);
     return std::any_of(triangles.begin(), triangles.end(),
-                       [&](const NearTriangle& triangle) { return edges_near(triangle.corners, center) >= 2; });
+                       [&](const NearTriangle& triangle) { return !edges_near(triangle.corners, center).empty(); });
+}
+
+std::vector<PassGeometry::Surface> PassGeometry::surfaces_at(int x, int y) const {
+    const glm::dvec2 center(x + 0.5, y + 0.5);
+    std::vector<Surface> surfaces = flat_surfaces_;
+    for (const NearTriangle& triangle : near(x, y)) {
+        if (triangle.is_culled) continue;
+        const auto weights = weights_at(triangle.corners, center);
+        if (!weights) continue;
+        double depth = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) depth += (*weights)[i] * double{triangle.corners[i].z};
+        const double reach =
+            kReach * slope(triangle.corners, triangle.corners[0].z, triangle.corners[1].z, triangle.corners[2].z) +
+            depth_step_;
+        surfaces.push_back({depth, reach, triangle.is_of_pass, triangle.writes_depth, &triangle.corners});
+    }
+    return surfaces;
+}
+
+bool PassGeometry::has_depth_tie(int x, int y) const {
+    const CompareFunc func = pass_.state.depth.func;
+    if (func != CompareFunc::Less && func != CompareFunc::LessEqual) return false;
+    const std::vector<Surface> surfaces = surfaces_at(x, y);
+    const auto is_hidden                = [&](const Surface& back) {
+        return std::any_of(surfaces.begin(), surfaces.end(), [&](const Surface& front) {
+            return front.writes_depth && front.depth + front.reach < back.depth - back.reach;
+        });
+    };
+    // Triangles of a mesh that meet at the centre are one surface.
+    const auto are_neighbors = [](const Surface& a, const Surface& b) {
+        return a.triangle != nullptr && b.triangle != nullptr && share_corner(*a.triangle, *b.triangle);
+    };
+    const auto tie = [&](const Surface& a, const Surface& b) {
+        return (a.is_of_pass || b.is_of_pass) && (a.writes_depth || b.writes_depth) && !are_neighbors(a, b) &&
+               std::abs(a.depth - b.depth) <= a.reach + b.reach;
+    };
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (tie(surfaces[i], surfaces[j]) && !is_hidden(surfaces[i]) && !is_hidden(surfaces[j])) return true;
+    return false;
 }
 
 bool PassGeometry::has_tie(int x, int y) const {
@@ -169,6 +278,15 @@ double PassGeometry::perspective(int x, int y) const {
             greatest = std::max(greatest, perspective_difference(triangle.corners, *weights));
     }
     return greatest;
+}
+
+double PassGeometry::displacement(int x, int y) const {
+    const glm::dvec2 center(x + 0.5, y + 0.5);
+    double greatest = 0.0;
+    for (const NearTriangle& triangle : near(x, y))
+        if (triangle.is_of_pass && !triangle.is_culled && weights_at(triangle.corners, center))
+            greatest = std::max(greatest, kReach * steepest_color(triangle.corners));
+    return std::min(greatest, 255.0);
 }
 
 }  // namespace peers
