@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
@@ -118,7 +119,7 @@ void check_paths(const RenderOptions& options, const std::string& output, const 
 
 void render(const RenderOptions& options) {
     choose_simd_target(options.simd_target);
-    preload_image_module();  // while the scene is built
+    const std::future<void> loading = preload_image_module();  // while the scene is built
     const FrameSource source(options.scene);
     const FrameRange frames    = options.frames.value_or(FrameRange{});
     const bool is_sequence     = frames.first != frames.last;

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <future>
 #include <new>
 #include <stdexcept>
 
@@ -84,9 +83,8 @@ std::string extension_of(const std::string& path) {
 
 }  // namespace
 
-void preload_image_module() {
-    // The program's end waits for it too.
-    static const std::future<void> loading = std::async(std::launch::async, [] {
+std::future<void> preload_image_module() {
+    return std::async(std::launch::async, [] {
         try {
             module();
         } catch (const std::exception&) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,9 @@
 
 namespace demo {
 
-// Begins to load the module beside what the caller does next. Never fails: whoever needs the module waits for it, and
-// learns what is wrong with it.
-void preload_image_module();
+// Loads the module beside what the caller does next, until when the end of what is returned waits: while a library is being
+// loaded a program must not end. Never fails: whoever needs the module learns what is wrong with it.
+[[nodiscard]] std::future<void> preload_image_module();
 
 // Any file OpenImageIO reads, as 0xAARRGGBB with alpha 255 where the file has none; grey fills all three channels.
 pipeline::ColorImage read_image(const std::string& path);
