@@ -125,6 +125,20 @@ cloud::Cloud cloud_at(const SceneCloud& scene_cloud, double seconds) {
     return cloud;
 }
 
+std::vector<ThrownLight> thrown_lights(const CloudPlan& plan, double seconds) {
+    const CloudKey key = key_at(plan, seconds);
+    std::vector<ThrownLight> thrown;
+    for (const CloudLight& light : plan.lights) {
+        const Vec3 color     = light.light.color * strength_at(light, seconds) * std::clamp(key.opacity, 0.0f, 1.0f);
+        const float greatest = std::max({color.x, color.y, color.z});
+        if (greatest * light.scene_range > 0.0f)
+            thrown.push_back({.center = plan.position + key.offset + plan.scale * light.light.center,
+                              .color  = color / std::max(greatest, 1.0f),
+                              .range  = plan.scale * light.scene_range});
+    }
+    return thrown;
+}
+
 bool reshapes(const CloudPlan& plan) {
     return plan.stream || plan.particle_file || !plan.keys.empty();
 }

@@ -12,6 +12,13 @@ cloud::Cloud grow_cloud(const CloudPlan& plan);
 // The cloud at `seconds`; without particles if there is nothing to see.
 cloud::Cloud cloud_at(const SceneCloud& scene_cloud, double seconds);
 
+// What its lights throw on the scene around. color: at most 1.
+struct ThrownLight {
+    Vec3 center, color;
+    float range;
+};
+std::vector<ThrownLight> thrown_lights(const CloudPlan& plan, double seconds);
+
 // Does it need new light as it moves? If not, only what is drawn with each frame anyway changes.
 bool reshapes(const CloudPlan& plan);
 

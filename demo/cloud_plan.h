@@ -27,9 +27,11 @@ struct CloudKey {
     }
 };
 
-// A light in or near a cloud. Without flashes it always shines; flicker: how much of it comes and goes, 0..1.
+// A light in or near a cloud. Without flashes it always shines; flicker: how much of it comes and goes, 0..1. It reaches
+// light.range into the cloud, and scene_range on what stands around; 0: only the cloud.
 struct CloudLight {
     cloud::InnerLight light;
+    float scene_range = 0.0f;
     float flicker = 0.0f;
     struct Flash {
         double start_s, length_s;

@@ -146,6 +146,7 @@ CloudLight read_cloud_light(TableReader reader) {
     reader.read("position", light.light.center, kCoordinate);
     reader.read("color", light.light.color, kLight);
     reader.read("range", light.light.range, kLength);
+    reader.read("scene_range", light.scene_range, {0.0, 1e5});
     reader.read("flicker", light.flicker, kShare);
     for (const auto& row : reader.read_rows("flashes", 2, kMaxKeys)) light.flashes.push_back({row[0], row[1]});
     for (std::size_t i = 0; i < light.flashes.size(); ++i)

@@ -8,6 +8,7 @@
 
 #include "cloud/baselines/slice_cloud.h"
 #include "cloud/baselines/sprite_cloud.h"
+#include "cloud/bounds.h"
 #include "cloud/mega_particles/mega_particles.h"
 #include "cloud/merge.h"
 #include "demo/camera_matrices.h"
@@ -16,6 +17,7 @@
 #include "demo/scene_build.h"
 #include "demo/scene_data.h"
 #include "demo/texture_pyramid.h"
+#include "demo/thrown_light.h"
 
 namespace demo {
 namespace {
@@ -105,14 +107,15 @@ class SceneFrame {
     pl::Frame build() && {
         if (!geometry_.terrain.empty()) terrain();
         solids("solids", geometry_.solids_behind);
+        throw_light(0, frame_.passes.size());
         sky();
         frame_.passes.front().clear = {.color = fog_color(), .depth = 1.0f};
         const bool clouds_last      = are_order_free();
-        if (clouds_last) solids("objects in front", geometry_.solids_in_front);
+        if (clouds_last) objects_in_front();
         const std::size_t first_cloud_pass = frame_.passes.size();
         clouds();
         const std::size_t end_cloud_pass = frame_.passes.size();
-        if (!clouds_last) solids("objects in front", geometry_.solids_in_front);
+        if (!clouds_last) objects_in_front();
         if (options_.flat_scene)
             for (std::size_t i = 0; i < frame_.passes.size(); ++i)
                 if (i < first_cloud_pass || i >= end_cloud_pass) flatten(frame_.passes[i]);
@@ -248,6 +251,43 @@ class SceneFrame {
         }
     }
 
+    void objects_in_front() {
+        const std::size_t first = frame_.passes.size();
+        solids("objects in front", geometry_.solids_in_front);
+        throw_light(first, frame_.passes.size());
+    }
+
+    std::optional<pl::PixelRect> bounds_of(const ThrownLight& light) const {
+        cloud::Cloud ball;
+        ball.particles.push_back({.center = light.center, .radius = light.range});
+        return cloud::screen_bounds(ball, view_, 0, 1);
+    }
+
+    // On what these passes drew.
+    void throw_light(std::size_t first_pass, std::size_t end_pass) {
+        if (options_.flat_scene || first_pass == end_pass) return;
+        for (const SceneCloud& cloud : scene_.clouds)
+            for (const ThrownLight& light : thrown_lights(cloud.plan, seconds_)) {
+                const std::optional<pl::PixelRect> reached = bounds_of(light);
+                if (!reached) continue;
+                if (!light_texture_) {
+                    light_texture_.index = static_cast<std::int32_t>(frame_.textures.size());
+                    frame_.textures.push_back(light_texture());
+                }
+                pl::Pass& pass     = add_pass("light of " + cloud.grown.name);
+                pass.state         = thrown_light_state(light, view_.view, fog());
+                pass.state.scissor = *reached;
+                for (std::size_t i = first_pass; i < end_pass; ++i) {
+                    if (!frame_.passes[i].state.depth.write) continue;  // it lies on what is drawn anyway
+                    for (pl::Draw draw : frame_.passes[i].draws) {
+                        auto& triangles       = std::get<pl::DrawTriangles>(draw);
+                        triangles.textures[0] = triangles.textures[1] = {.texture = light_texture_, .target = {}};
+                        pass.draws.push_back(draw);
+                    }
+                }
+            }
+    }
+
     void set_solid_state(pl::PipelineState& state) const {
         state.depth = {.func = pl::CompareFunc::LessEqual, .write = true};
         state.cull  = pl::CullMode::Clockwise;  // what shows its back
@@ -272,6 +312,7 @@ class SceneFrame {
     double seconds_;
     Vec3 eye_ = Vec3(0.0f);
     cloud::View view_;
+    pl::TextureId light_texture_;
     pl::Frame frame_;
 };
 

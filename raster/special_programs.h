@@ -14,7 +14,8 @@ using Source = CombineArg::Source;
 inline constexpr CombineArg kDiffuse{Source::Diffuse}, kCurrent{Source::Current}, kTexel{Source::Texel},
     kConstant{Source::Constant};
 inline constexpr BlendFactor kSourceColor{BlendFactor::Operand::Source},
-    kSourceAlpha{BlendFactor::Operand::Source, true}, kInvSourceAlpha{BlendFactor::Operand::Source, true, true};
+    kSourceAlpha{BlendFactor::Operand::Source, true}, kInvSourceAlpha{BlendFactor::Operand::Source, true, true},
+    kDest{BlendFactor::Operand::Dest};
 
 constexpr Combine select(CombineArg a) {
     return {CombineOp::Select, a, a, {}};
@@ -134,6 +135,12 @@ constexpr FillProgram eroded(CombineStage cloud) {
 }
 inline constexpr FillProgram kSplatted = over(depth(fogged(lit(stages(kSplat))), Compare::LessEqual, false));
 
+inline constexpr FillProgram kThrownLight =
+    without_alpha(blended(depth(fogged(stages({modulate(kTexel, kConstant), select(kConstant)},
+                                              {modulate(kTexel, kCurrent), select(kCurrent)})),
+                                Compare::LessEqual, false),
+                          kDest, kOne));
+
 }  // namespace special
 
 inline constexpr std::array kTrianglePrograms{
@@ -144,6 +151,8 @@ inline constexpr std::array kTrianglePrograms{
     special::texture(special::kLandscape, 0, special::kWhite),
     special::depth(special::vertex_color(), Compare::LessEqual, false),
     special::depth(special::vertex_color(), Compare::LessEqual, true),
+    // Light thrown on it.
+    special::texture(special::texture(special::kThrownLight, 0, special::kLinear), 1, special::kLinear),
     // Mega-particles and their skirt.
     special::depth(special::fogged(special::vertex_color()), Compare::LessEqual, true),
     special::depth(special::fogged(special::vertex_color()), Compare::LessEqual, false),
