@@ -188,6 +188,17 @@ void add_bench(CLI::App& app) {
     command->callback([command] { run_bench(command->remaining()); });
 }
 
+void add_scenes(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
+    command->add_option("--sheet", arguments.output, "Draw all of them on one picture instead, this file");
+    command->callback([command, &arguments] {
+        if (command->count("--sheet") > 0)
+            draw_scene_sheet(arguments.output);
+        else
+            list_scenes();
+    });
+}
+
 std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
@@ -204,7 +215,7 @@ void run_command_line(int argc, const char* const* argv) {
     add_vectors(app, arguments);
     add_profiles(app, arguments);
     add_bench(app);
-    app.add_subcommand("scenes", "List the built-in scenes")->callback(&list_scenes);
+    add_scenes(app, arguments);
     app.add_subcommand("fields", "List all that a frame's text may say, with defaults")->callback([] {
         print(pipeline::describe_fields());
     });

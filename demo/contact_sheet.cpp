@@ -15,7 +15,7 @@ constexpr int kThumbWidth      = 208;
 constexpr int kThumbHeight     = 156;
 constexpr int kGap             = 8;
 constexpr int kLabelHeight     = kGlyphHeight + 6;
-constexpr int kCellWidth       = 2 * kThumbWidth + kGap / 2;  // colour, alpha
+constexpr int kCellWidth       = 2 * kThumbWidth + kGap / 2;  // two thumbnails
 constexpr int kCellHeight      = kLabelHeight + kThumbHeight;
 constexpr int kMaxColumns      = 8;
 constexpr int kSheetMargin     = kGap;
@@ -91,11 +91,11 @@ int column_count(int cells) {
 
 }  // namespace
 
-void ContactSheet::add(const std::string& label, const ColorImage& color, const ColorImage& alpha) {
+void ContactSheet::add(const std::string& label, const ColorImage& left, const ColorImage& right) {
     if (cells_.size() == kMaxCells) {
         ++left_out_;
     } else {
-        cells_.push_back({label, thumbnail(color), thumbnail(alpha)});
+        cells_.push_back({label, thumbnail(left), thumbnail(right)});
     }
 }
 
@@ -109,12 +109,12 @@ ColorImage ContactSheet::draw() const {
     sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height), kPaper);
     for (int i = 0; i < cells; ++i) {
         const Cell& cell = cells_[static_cast<std::size_t>(i)];
-        const int left   = kSheetMargin + i % columns * (kCellWidth + kGap);
-        const int top    = kSheetMargin + i / columns * (kCellHeight + kGap);
-        draw_label(sheet, cell.label.substr(0, kMaxCharacters), left, top, kInk);
-        if (cell.color.width == 0) draw_label(sheet, "depth only", left, top + kLabelHeight, kInk);
-        place(sheet, cell.color, left, top + kLabelHeight);
-        place(sheet, cell.alpha, left + kCellWidth - kThumbWidth, top + kLabelHeight);
+        const int x      = kSheetMargin + i % columns * (kCellWidth + kGap);
+        const int y      = kSheetMargin + i / columns * (kCellHeight + kGap);
+        draw_label(sheet, cell.label.substr(0, kMaxCharacters), x, y, kInk);
+        if (cell.left.width == 0) draw_label(sheet, "depth only", x, y + kLabelHeight, kInk);
+        place(sheet, cell.left, x, y + kLabelHeight);
+        place(sheet, cell.right, x + kCellWidth - kThumbWidth, y + kLabelHeight);
     }
     if (left_out_ > 0) {
         draw_label(sheet, "and " + std::to_string(left_out_) + " more passes", kSheetMargin,

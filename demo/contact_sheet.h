@@ -13,8 +13,9 @@ namespace demo {
 
 class ContactSheet {
   public:
-    // A cell for each pass, in order. `color` may be empty (a pass that draws depth alone); `alpha` then is too.
-    void add(const std::string& label, const pipeline::ColorImage& color, const pipeline::ColorImage& alpha);
+    // A cell of two pictures, in order: a pass's colour and alpha, or two moments of a scene. Both may be empty (a pass
+    // that draws depth alone).
+    void add(const std::string& label, const pipeline::ColorImage& left, const pipeline::ColorImage& right);
 
     // At most kMaxCells cells; a last line tells how many are left out.
     pipeline::ColorImage draw() const;
@@ -24,7 +25,7 @@ class ContactSheet {
   private:
     struct Cell {
         std::string label;
-        pipeline::ColorImage color, alpha;  // already scaled
+        pipeline::ColorImage left, right;  // already scaled
     };
     std::vector<Cell> cells_;
     std::size_t left_out_ = 0;

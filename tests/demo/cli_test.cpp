@@ -117,6 +117,9 @@ TEST_CASE("the built-in scenes are listed and can be dumped by name", "[cli]") {
     const Ended list = nimbus7(directory, {"scenes"});
     REQUIRE(list.status == 0);
     CHECK_THAT(list.out, Catch::Contains("canyon  "));
+    const Ended nowhere = nimbus7(directory, {"scenes", "--sheet", "no/such/sheet.png"});
+    CHECK(nowhere.status == 2);
+    CHECK_THAT(nowhere.error, Catch::Contains("no/such"));
     CHECK_THAT(nimbus7(directory, {"--help"}).out, Catch::Contains("render"));
 }
 

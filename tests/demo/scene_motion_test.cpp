@@ -46,7 +46,7 @@ TEST_CASE("a walk through smoke has no jump, in and out", "[scene]") {
 }
 
 TEST_CASE("the nebula turns without a flicker", "[scene]") {
-    CHECK(greatest_jump("nebula", 20, 50) <= 2.0);
+    CHECK(greatest_jump("nebula", 20, 35) <= 2.0);
 }
 
 TEST_CASE("clouds in the distance move smoothly", "[scene]") {

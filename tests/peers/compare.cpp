@@ -78,8 +78,10 @@ bool leans(const Comparison& comparison) {
 
 bool is_suspect(const Comparison& comparison) {
     constexpr std::uint64_t kEnoughPixels = 10000, kPixelsPerEdge = 500;
+    const auto edges       = static_cast<double>(comparison.pixels / kPixelsPerEdge);
+    const double by_chance = 3.0 * std::sqrt(edges);
     return comparison.pixels >= kEnoughPixels &&
-           (leans(comparison) || comparison.edge > comparison.pixels / kPixelsPerEdge);
+           (leans(comparison) || static_cast<double>(comparison.edge) > edges + by_chance);
 }
 
 void Comparison::add(const Comparison& other) {

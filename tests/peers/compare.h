@@ -67,8 +67,8 @@ struct Comparison {
 
 // A rule that is broken everywhere by less than a pixel shows: in a picture large enough to tell, differences lean to one
 // side by more than is explained (roundings of both kinds leave a mean of 0.03 at most, a floor in place of the nearest
-// 0.06 and more), or too many pixels are excused as edges: more than one in 500, where the canyon's passes have up to one
-// in 1000.
+// 0.06 and more), or too many pixels are excused as edges: more than one in 500, and what chance adds to that in a small
+// picture, where the canyon's passes have up to one in 1000.
 bool leans(const Comparison& comparison);
 bool is_suspect(const Comparison& comparison);
 

@@ -188,6 +188,7 @@ TEST_CASE("differences that lean to one side, or that are edges in number, are s
     CHECK_FALSE(is_suspect({.pixels = 9999, .sum = 39996.0}));  // too small to tell
     CHECK_FALSE(is_suspect({.pixels = 10000, .sum = -4000.0, .explained_mean = 0.05}));
     CHECK(is_suspect({.pixels = 10000, .sum = -4001.0, .explained_mean = 0.05}));
-    CHECK_FALSE(is_suspect({.pixels = 10000, .edge = 20}));
-    CHECK(is_suspect({.pixels = 10000, .edge = 21}));
+    CHECK_FALSE(is_suspect({.pixels = 10000, .edge = 33}));  // 20 + 3 * 4.47
+    CHECK(is_suspect({.pixels = 10000, .edge = 34}));
+    CHECK(is_suspect({.pixels = 1000000, .edge = 2135}));
 }
