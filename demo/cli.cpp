@@ -11,6 +11,7 @@
 #include "demo/command_bench.h"
 #include "demo/command_dump.h"
 #include "demo/command_metrics.h"
+#include "demo/command_plan.h"
 #include "demo/command_profiles.h"
 #include "demo/command_render.h"
 #include "demo/command_scenes.h"
@@ -23,7 +24,7 @@ namespace {
 
 // The arguments as they are written; they are read only once the command line as a whole is known to be well formed.
 struct Arguments {
-    std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile, technique, mode;
+    std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile, technique, mode, format;
 };
 
 template <class Read>
@@ -158,6 +159,32 @@ void add_metrics(CLI::App& app, Arguments& arguments) {
     });
 }
 
+PlanFormat parse_plan_format(const std::string& text) {
+    if (text == "text") return PlanFormat::Text;
+    if (text == "json") return PlanFormat::Json;
+    throw std::runtime_error("--format " + text + ": expected text or json");
+}
+
+void add_plan(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand(
+        "plan", "Say what a chip lacks for a frame, where it would lie in memory, what it would cost");
+    command->add_option("SCENE", arguments.scene, "A built-in scene, a .toml file or a dumped frame")->required();
+    command->add_option("--profile", arguments.profile, "The chip: dx7, ps2, gamecube or xbox")->required();
+    command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels");
+    command->add_option("--frame", arguments.frame, "Which frame of the animation");
+    command->add_option("--format", arguments.format, "text or json");
+    command->callback([command, &arguments] {
+        const auto is_given = [&](const char* name) { return command->count(name) > 0; };
+        PlanOptions options;
+        options.scene   = arguments.scene;
+        options.profile = &parse_profile(arguments.profile);
+        options.size    = optional_value(arguments.size, is_given("--size"), &parse_size);
+        if (is_given("--frame")) options.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        if (is_given("--format")) options.format = parse_plan_format(arguments.format);
+        report_plan(options);
+    });
+}
+
 CLI::App* add_vectors(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("vectors", "Write a chip's golden vectors, for the tests of other programs");
     command->add_option("--profile", arguments.profile, "The chip: ideal, dx7, ps2, gamecube or xbox")->required();
@@ -212,6 +239,7 @@ void run_command_line(int argc, const char* const* argv) {
     add_render(app, arguments);
     add_dump(app, arguments);
     add_metrics(app, arguments);
+    add_plan(app, arguments);
     add_vectors(app, arguments);
     add_profiles(app, arguments);
     add_bench(app);

@@ -86,6 +86,19 @@ std::string copies_of(const pipeline::ChipFormats& formats) {
            (formats.copies_halve ? ", whole or halved" : ", whole");
 }
 
+// 0: no limit, or none that is known.
+std::string size_of(std::int32_t width, std::int32_t height) {
+    return width == 0 ? "not known" : "up to " + std::to_string(width) + 'x' + std::to_string(height);
+}
+
+std::string memory_of(const pipeline::ChipLimits& limits) {
+    std::string text = std::to_string(limits.memory >> 20) + " MB, in " + std::string(enum_name(limits.layout));
+    if (limits.frame_buffer_width != 0)
+        text += "; a frame buffer of " + std::to_string(limits.frame_buffer_width) + 'x' +
+                std::to_string(limits.frame_buffer_height);
+    return text;
+}
+
 std::vector<pipeline::TextureOp> functions_of(pipeline::CombineRule rule) {
     std::vector<pipeline::TextureOp> ops = pipeline::all_of<pipeline::TextureOp>();
     std::erase_if(ops, [&](pipeline::TextureOp op) { return !has_rule(rule, op); });
@@ -145,6 +158,14 @@ std::string description(const Profile& profile) {
                                  : names_of(functions_of(profile.arithmetic.combine)));
     add("texture addresses", names_of(states.addresses));
     add("mip filters", names_of(states.mip_filters));
+    const pipeline::ChipLimits& limits = profile.limits;
+    add("texture formats", names_of(limits.texture_formats));
+    if (limits.memory != 0) {
+        add("texture sizes",
+            size_of(limits.texture_width, limits.texture_height) + (limits.powers_of_two ? ", powers of two" : ""));
+        add("target sizes", size_of(limits.target_width, limits.target_height));
+        add("memory", memory_of(limits));
+    }
     const auto rules = rules_of(profile);
     for (const Evidence& evidence : profile.evidence) {
         text += '\n';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// nimbus7: runs one command. Exit status: 0 done, 1 a fault of ours, 2 bad input or usage; an error is one line on
-// standard error.
+// nimbus7: runs one command. Exit status: 0 done, 1 a fault of ours, 2 bad input or usage, 3 a chip that cannot do what is
+// asked of it; an error is one line on standard error.
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "demo/cli.h"
+#include "demo/command_plan.h"
 #include "demo/new_file.h"
 
 namespace {
@@ -28,6 +29,8 @@ int main(int argc, char** argv) {
     try {
         demo::run_command_line(argc, argv);
         return 0;
+    } catch (const demo::ChipCannot& reason) {
+        return report(reason.what(), 3);
     } catch (const std::runtime_error& error) {
         return report(error.what(), 2);
     } catch (const std::bad_alloc&) {

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "demo/text_table.h"
+
 namespace demo {
 namespace {
 
@@ -35,17 +37,8 @@ constexpr std::array kCounts{
 };
 static_assert(sizeof(PassCounts) == kCounts.size() * sizeof(std::uint64_t), "a count is not listed");
 
-using Row = std::vector<std::string>;
-
-std::string with_separators(std::uint64_t value) {
-    std::string digits = std::to_string(value);
-    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), 1, ',');
-    return digits;
-}
-
-Row row_of(const std::string& number, const PassStatistics& pass) {
-    Row row{number, pass.label};
+TextRow row_of(const std::string& number, const PassStatistics& pass) {
+    TextRow row{number, pass.label};
     for (const Count& count : kCounts) {
         if (!count.heading.empty()) row.push_back(with_separators(pass.counts.*count.value));
     }
@@ -56,22 +49,17 @@ Row row_of(const std::string& number, const PassStatistics& pass) {
     return row;
 }
 
-std::string padded(const std::string& text, std::size_t width, bool to_the_left) {
-    const std::string space(width - text.size(), ' ');
-    return to_the_left ? text + space : space + text;
-}
-
 }  // namespace
 
 std::string to_table(const std::vector<PassStatistics>& passes) {
-    Row headings{"", "pass"};
+    TextRow headings{"", "pass"};
     for (const Count& count : kCounts) {
         if (!count.heading.empty()) headings.emplace_back(count.heading);
     }
     headings.push_back("general");
     headings.push_back("ms");
 
-    std::vector<Row> rows{headings};
+    std::vector<TextRow> rows{headings};
     PassStatistics total{.label = "total", .counts = {}, .kernels = {}};
     for (std::size_t i = 0; i < passes.size(); ++i) {
         rows.push_back(row_of(std::to_string(i), passes[i]));
@@ -81,16 +69,7 @@ std::string to_table(const std::vector<PassStatistics>& passes) {
     }
     rows.push_back(row_of("", total));
 
-    std::vector<std::size_t> widths(headings.size(), 0);
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    }
-    std::string table;
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) table += (i > 0 ? "  " : "") + padded(row[i], widths[i], i == 1);
-        table += '\n';
-    }
-    return table;
+    return text_table(rows, "rlr");
 }
 
 nlohmann::ordered_json to_json(const PassStatistics& pass) {

@@ -21,6 +21,13 @@ Profile make_dx7() {
                        .dest_alpha_test = false,
                        .alpha_fails     = {AlphaFail::Keep},
                        .scissor         = false},
+        // A target that is read as a texture keeps to the rules for textures.
+        .limits     = {.texture_width     = 2048,
+                       .texture_height    = 2048,
+                       .powers_of_two     = true,
+                       .memory            = 32u << 20,
+                       .pitch_alignment   = 64,
+                       .address_alignment = 64},
         .evidence =
             {
                 {"snap",
@@ -88,6 +95,20 @@ Profile make_dx7() {
                  Grade::Document, ""},
                 {"lod", "chosen: from the texels that a pixel spans, its logarithm linear between powers of two",
                  Grade::Chosen, "No source for the level of detail of NV10, NV15 or R100"},
+                {"limits",
+                 "2048 texels: Mesa 7.10, NV10's 12 texture levels; powers of two: DirectX 7 SDK help, "
+                 "D3DPTEXTURECAPS; A8 as (0, 0, 0, A), L8 as (L, L, L, 1): Wine 9.0, wined3d",
+                 Grade::Document,
+                 "The largest target is not known. Cards with D3DPTEXTURECAPS_NONPOW2CONDITIONAL take other sizes, "
+                 "clamped and without mip levels; the Windows logo asked for 1024. That A8 reads black is not "
+                 "confirmed for every chip"},
+                {"memory",
+                 "32 MB, the least of the boards with a GeForce 256 (tecchannel, guru3d); rows at multiples of 64 "
+                 "bytes: Mesa, nouveau_surface.c, the pitch of linear surfaces",
+                 Grade::Document,
+                 "Boards with 64 MB exist. That surfaces start at multiples of 64 bytes is chosen. Tiled surfaces, "
+                 "whose pitch Mesa aligns to 256 bytes, and textures in system memory are not modelled; the front "
+                 "buffer is not counted"},
             },
     };
 }

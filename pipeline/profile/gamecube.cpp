@@ -40,6 +40,16 @@ Profile make_gamecube() {
                        .alpha_fails     = {AlphaFail::Keep},
                        .flat            = FlatVertex::None,
                        .complement      = false},
+        .limits     = {.texture_width       = 1024,
+                       .texture_height      = 1024,
+                       .target_width        = 640,
+                       .target_height       = 528,
+                       .frame_buffer_width  = 640,
+                       .frame_buffer_height = 528,
+                       .copy_from_step      = 2,
+                       .copy_tile           = 4,
+                       .memory              = 24u << 20,
+                       .layout              = MemoryLayout::FlipperTiles},
         .evidence =
             {
                 {"snap", "Dolphin, VideoBackends/Software/Rasterizer.cpp: 28.4 coordinates, rounded", Grade::Emulators,
@@ -105,6 +115,19 @@ Profile make_gamecube() {
                  "That the chip has no flat shading was not checked in its registers"},
                 {"lod", "Dolphin, VideoBackends/Software: from the differences across blocks of 2x2 pixels",
                  Grade::Emulators, "A frame's level is each pixel's own. Anisotropic filters are not modelled"},
+                {"limits",
+                 "libogc, gx.c and gx.h: textures up to 1024x1024; a frame buffer of 640x528; GX_SetTexCopySrc takes "
+                 "multiples of 2, GX_CopyTex writes whole tiles, 4x4 in RGBA8",
+                 Grade::Document,
+                 "A8 and L8 are I8, which reads as its value in all four channels: the black of A8 and the alpha of "
+                 "L8 are then constants of the TEV"},
+                {"memory",
+                 "nintendo.co.uk, \"Technical Details\": main memory of 24 MB; libogc and Dolphin: 640x528 pixels of 24 "
+                 "bits of colour and 24 of depth in the chip; tiles of 32 bytes, 8x4 texels of 8 bits, and two for 4x4 "
+                 "of RGBA8",
+                 Grade::Document,
+                 "Main memory is the program's as well, and holds the picture that the display shows; neither is "
+                 "counted. That targets may lie side by side in the frame buffer is chosen"},
             },
     };
 }

@@ -27,7 +27,8 @@ struct EnumNames<Grade> {
 
 // topic: a field of Arithmetic, or "store", "dither", "alpha_test", "dest_alpha_test", "depth", "copy", "targets"
 // (formats and what may stand together), "states" (blend factors, masks, scissor, culling), "stages" (texture stages
-// and addressing), "flat" (shading), "lod" (level of detail). open: what is not known, or where sources disagree and
+// and addressing), "flat" (shading), "lod" (level of detail), and of chips alone "limits" (sizes, texture formats) and
+// "memory" (how much, and how it is laid out). open: what is not known, or where sources disagree and
 // what the switch is; empty if nothing is.
 struct Evidence {
     std::string_view topic;
@@ -91,12 +92,39 @@ struct ChipStates {
     std::vector<MipFilter> mip_filters      = all_of<MipFilter>();
 };
 
+// How memory is laid out: rows of surfaces one after the other; the Graphics Synthesizer's pages and blocks; the
+// GameCube's tiles in main memory, beside the frame buffer in the chip. See pipeline/check/memory_map.h.
+enum class MemoryLayout : std::uint8_t { Surfaces, GsPages, FlipperTiles };
+template <>
+struct EnumNames<MemoryLayout> {
+    static constexpr std::array<std::string_view, 3> names{"surfaces", "pages", "tiles"};
+};
+
+// Sizes in pixels or texels, memory in bytes. 0 is no limit, or none that is known.
+struct ChipLimits {
+    std::vector<TextureFormat> texture_formats = all_of<TextureFormat>();
+    std::int32_t texture_width = 0, texture_height = 0;  // largest texture, and largest target that is read as one
+    bool powers_of_two        = false;                   // of both
+    std::int32_t target_width = 0, target_height = 0;    // largest target that is drawn to
+    // The one memory that is drawn to, if there is such: depth lies at the same places, and copies read nothing else.
+    std::int32_t frame_buffer_width = 0, frame_buffer_height = 0;
+    // What copies read has corners at multiples of `copy_from_step`, and they write tiles of copy_tile x copy_tile.
+    std::int32_t copy_from_step = 1, copy_tile = 1;
+    std::uint64_t memory          = 0;
+    MemoryLayout layout           = MemoryLayout::Surfaces;
+    // Of Surfaces: rows and starts at multiples of these, but no padding in rows of a swizzled texture, whose sizes are
+    // powers of two.
+    std::uint32_t pitch_alignment = 1, address_alignment = 1;
+    bool swizzles_textures = false;
+};
+
 struct Profile {
     std::string_view name;  // as on the command line
     std::string_view chip;
     Arithmetic arithmetic;
     ChipFormats formats;
     ChipStates states;
+    ChipLimits limits;
     std::vector<Evidence> evidence;  // an entry for each topic that the chip has
 };
 
@@ -106,6 +134,9 @@ bool go_together(const ChipFormats& formats, TargetFormat color, TargetFormat de
 // ideal, dx7, ps2, gamecube, xbox.
 std::span<const Profile> profiles();
 const Profile* find_profile(std::string_view name);  // null if there is none
+
+// What the table says of a topic; null if it has nothing.
+const Evidence* find_evidence(const Profile& profile, std::string_view topic);
 
 // The formula of a rule in words that a reader can program from.
 std::string_view formula(SnapRule rule);

@@ -21,4 +21,10 @@ const Profile* find_profile(std::string_view name) {
     return found == all.end() ? nullptr : &*found;
 }
 
+const Evidence* find_evidence(const Profile& profile, std::string_view topic) {
+    const auto found = std::find_if(profile.evidence.begin(), profile.evidence.end(),
+                                    [&](const Evidence& one) { return one.topic == topic; });
+    return found == profile.evidence.end() ? nullptr : &*found;
+}
+
 }  // namespace pipeline

@@ -41,6 +41,13 @@ Profile make_ps2() {
                        .alpha_replicate   = false,
                        .addresses         = {TextureAddress::Wrap, TextureAddress::Clamp},
                        .mip_filters       = {MipFilter::None}},
+        // Sizes that are no powers of two are clamped by REGION_CLAMP. A8 and L8 are PSMT8 with a palette.
+        .limits     = {.texture_width  = 1024,
+                       .texture_height = 1024,
+                       .target_width   = 2048,
+                       .target_height  = 2048,
+                       .memory         = 4u << 20,
+                       .layout         = MemoryLayout::GsPages},
         .evidence =
             {
                 {"snap", "chosen: the chip takes 12.4 integers; a program's conversion to them usually cuts",
@@ -125,6 +132,20 @@ Profile make_ps2() {
                 {"lod", "PCSX2, GSVertexTrace.cpp: log2(1 / |Q|) << L, plus K, or K alone with UV coordinates",
                  Grade::Emulators,
                  "A frame's level comes from the texels that a pixel spans, so that mip levels are left out here"},
+                {"limits",
+                 "ps2tek and PCSX2, GSRegs.h: TW and TH of TEX0 are logarithms up to 10; REGION_CLAMP ignores them, "
+                 "so that a clamped texture has any size; SCISSOR ends at 2047; FRAME's FBW counts 64 pixels, of "
+                 "which PCSX2 takes up to 32",
+                 Grade::Emulators,
+                 "That REGION_CLAMP serves every other size follows from the registers, and was not tried. What the "
+                 "chip does with FBW above 32 is not known"},
+                {"memory",
+                 "parallel-gs, swizzle_utils.h: 512 pages of 8 KB, of 64x32 pixels with 32 or 24 bits, 64x64 with 16, "
+                 "128x64 of PSMT8, each of 32 blocks; PCSX2, GSTables.cpp: the blocks' order. Frame and depth buffers "
+                 "start on pages, textures and palettes on blocks",
+                 Grade::Emulators,
+                 "A program's other buffers, as one that the display shows meanwhile, are not counted. Buffers that "
+                 "are not needed at one time could share pages; here each has its own"},
             },
     };
 }

@@ -24,6 +24,12 @@ Profile make_xbox() {
                        .copies_convert = false,
                        .copies_halve   = false},
         .states     = {.dest_alpha_test = false, .alpha_fails = {AlphaFail::Keep}},
+        .limits     = {.texture_width     = 4096,
+                       .texture_height    = 4096,
+                       .memory            = 64u << 20,
+                       .pitch_alignment   = 64,
+                       .address_alignment = 128,
+                       .swizzles_textures = true},
         .evidence =
             {
                 {"snap", "xemu, pull request 2183, measured on a console: toward zero, to 1/16 pixel", Grade::Measured,
@@ -76,6 +82,18 @@ Profile make_xbox() {
                 {"lod", "chosen: from the texels that a pixel spans, its logarithm linear between powers of two",
                  Grade::Chosen,
                  "The captures of Texture_LOD_Bias give the mix of two levels, not how a level is found"},
+                {"limits",
+                 "xemu, nv2a_regs.h: textures of Y8, A8 and A8R8G8B8, swizzled in powers of two, or linear in any size, "
+                 "with one level; 4096 texels: Cxbx-Reloaded, XbD3D8Types.h",
+                 Grade::Emulators,
+                 "Cxbx-Reloaded speaks of 12 mip levels, which 2048 texels have. The largest target is not known. What "
+                 "A8 reads in red, green and blue was not captured"},
+                {"memory",
+                 "tomshardware.com, review of the Xbox: 64 MB, shared with the processor; Cxbx-Reloaded, "
+                 "XbD3D8Types.h: D3DTEXTURE_PITCH_ALIGNMENT is 64 bytes, D3DTEXTURE_ALIGNMENT 128",
+                 Grade::Emulators,
+                 "The memory is the program's as well, and holds the picture that the display shows; neither is "
+                 "counted. Tiled and compressed surfaces are not modelled"},
             },
     };
 }

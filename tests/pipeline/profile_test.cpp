@@ -71,6 +71,7 @@ TEST_CASE("every topic of a profile has a source, a grade, and what is open wher
         std::set<std::string> has = expected;
         if (one.states.dithers.size() > 1) has.insert("dither");
         if (one.states.dest_alpha_test) has.insert("dest_alpha_test");
+        if (one.arithmetic != Arithmetic{}) has.insert({"limits", "memory"});
         CHECK(topics(one) == has);
         const bool is_exact = one.arithmetic == Arithmetic{};
         for (const Evidence& evidence : one.evidence) {
@@ -140,6 +141,44 @@ TEST_CASE("what a chip has fits together", "[profile]") {
         // Dithers are for targets that keep less than bytes.
         if (states.dithers.size() > 1) CHECK(!std::all_of(formats.draw.begin(), formats.draw.end(), &keeps_bytes));
     }
+}
+
+TEST_CASE("a topic of a profile is found by name", "[profile]") {
+    for (const Profile& one : profiles()) {
+        for (const Evidence& evidence : one.evidence) CHECK(find_evidence(one, evidence.topic) == &evidence);
+        CHECK(find_evidence(one, "colour") == nullptr);
+        CHECK(find_evidence(one, "") == nullptr);
+    }
+}
+
+TEST_CASE("limits of chips", "[profile]") {
+    for (const Profile& one : profiles()) {
+        const ChipLimits& limits = one.limits;
+        INFO(one.name);
+        const bool is_ideal = &one == &profiles().front();
+        check_list(limits.texture_formats);
+        CHECK((limits.memory == 0) == is_ideal);
+        CHECK((limits.texture_width == 0) == is_ideal);
+        CHECK((limits.texture_height == 0) == is_ideal);
+        CHECK(limits.copy_from_step >= 1);
+        CHECK(limits.copy_tile >= 1);
+        CHECK(limits.pitch_alignment >= 1);
+        CHECK(limits.address_alignment >= 1);
+        // What is read from a frame buffer is a copy, and only the layout that has one puts targets there.
+        CHECK((limits.frame_buffer_width != 0) == !one.formats.reads_targets);
+        CHECK((limits.frame_buffer_width != 0) == (limits.layout == MemoryLayout::FlipperTiles));
+        CHECK((limits.frame_buffer_height != 0) == (limits.frame_buffer_width != 0));
+        if (limits.frame_buffer_width != 0) {
+            CHECK(limits.target_width == limits.frame_buffer_width);
+            CHECK(limits.target_height == limits.frame_buffer_height);
+            // So that a format says where a target lies.
+            for (const TargetFormat format : one.formats.draw) CHECK(!is_among(format, one.formats.copy_targets));
+        }
+    }
+    CHECK(find_profile("ps2")->limits.memory == 4194304);
+    CHECK(find_profile("dx7")->limits.memory == 33554432);
+    CHECK(find_profile("gamecube")->limits.memory == 25165824);
+    CHECK(find_profile("xbox")->limits.memory == 67108864);
 }
 
 TEST_CASE("the Graphics Synthesizer's rules and formats are found together", "[profile]") {
