@@ -16,6 +16,7 @@
 #include "pipeline/cost/cost.h"
 #include "pipeline/execute/execute.h"
 #include "pipeline/frame/field_traits.h"
+#include "pipeline/legalize/legalize.h"
 
 namespace demo {
 namespace {
@@ -31,22 +32,21 @@ using pipeline::Range;
 
 struct Plan {
     const Profile& profile;
-    Frame frame;
-    std::vector<ChipFinding> findings;
+    pipeline::LegalFrame legal;
     MemoryMap memory;
     std::optional<FrameCost> cost;  // none of a profile that is no chip
 };
 
 Plan make_plan(const PlanOptions& options) {
-    Plan plan{.profile  = *options.profile,
-              .frame    = FrameSource(options.scene).frame(options.size, options.frame),
-              .findings = {},
-              .memory   = {},
-              .cost     = {}};
-    plan.findings = pipeline::check(plan.frame, plan.profile);
-    plan.memory   = pipeline::lay_out(plan.frame, plan.profile);
+    Plan plan{
+        .profile = *options.profile,
+        .legal   = pipeline::legalize(FrameSource(options.scene).frame(options.size, options.frame), *options.profile),
+        .memory  = {},
+        .cost    = {}};
+    const Frame& frame = plan.legal.frame;
+    plan.memory        = pipeline::lay_out(frame, plan.profile);
     if (const pipeline::ChipRates* rates = pipeline::find_rates(plan.profile.name))
-        plan.cost = pipeline::cost(plan.frame, pipeline::execute(plan.frame).counts, *rates);
+        plan.cost = pipeline::cost(frame, pipeline::execute(frame).counts, *rates);
     return plan;
 }
 
@@ -89,11 +89,36 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
+// A line for each rewrite and reason.
+std::string notes_text(const pipeline::RewriteNotes& notes) {
+    if (notes.empty()) return "nothing\n";
+    struct Line {
+        const pipeline::RewriteNote* note;
+        std::vector<std::string> places;
+    };
+    std::vector<Line> lines;
+    for (const pipeline::RewriteNote& note : notes) {
+        const auto same = [&](const Line& line) {
+            return line.note->rewrite == note.rewrite && line.note->why == note.why && line.note->how == note.how;
+        };
+        const auto found = std::find_if(lines.begin(), lines.end(), same);
+        if (found == lines.end())
+            lines.push_back({&note, {note.where}});
+        else
+            found->places.push_back(note.where);
+    }
+    std::string text;
+    for (const Line& line : lines)
+        text += std::string(line.note->rewrite) + ": " + line.note->why + "; now " + line.note->how + "\n    in " +
+                joined(line.places) + '\n';
+    return text;
+}
+
 std::string findings_text(const Plan& plan) {
-    if (plan.findings.empty()) return "The chip can draw this frame as it is.\n";
+    if (plan.legal.left.empty()) return "nothing: it can draw this frame\n";
     std::string text;
     std::map<std::string_view, std::string_view> sources;
-    for (const Group& group : grouped(plan.findings)) {
+    for (const Group& group : grouped(plan.legal.left)) {
         const ChipFinding& finding = *group.first;
         text += (group.field.empty() ? group.owners.front() : group.field) + ": uses " + finding.uses +
                 "; the chip has " + finding.has + " [" + std::string(finding.rule) + "]\n";
@@ -152,7 +177,7 @@ std::string cost_text(const Plan& plan) {
     const FrameCost& cost = *plan.cost;
     std::vector<TextRow> rows{{"", "pass", "pixels", "texels", "bytes", "page breaks", "ms", "slowest"}};
     for (std::size_t i = 0; i < cost.passes.size(); ++i)
-        rows.push_back(cost_row(std::to_string(i), plan.frame.passes[i].label, cost.passes[i]));
+        rows.push_back(cost_row(std::to_string(i), plan.legal.frame.passes[i].label, cost.passes[i]));
     rows.push_back(cost_row("", "total", cost.total));
     std::string text = text_table(rows, "rlrrrrrl");
     for (const pipeline::Evidence& unknown : cost.unknown)
@@ -161,8 +186,9 @@ std::string cost_text(const Plan& plan) {
 }
 
 std::string plan_text(const Plan& plan, const std::string& scene) {
-    std::string text = scene + " on " + std::string(plan.profile.chip) + "\n\nWhat the chip lacks\n\n" +
-                       findings_text(plan) + "\nMemory\n\n" + memory_text(plan.memory);
+    std::string text = scene + " on " + std::string(plan.profile.chip) + "\n\nRewritten for it\n\n" +
+                       notes_text(plan.legal.notes) + "\nWhat the chip still lacks\n\n" + findings_text(plan) +
+                       "\nMemory\n\n" + memory_text(plan.memory);
     if (plan.cost) text += "\nCost, at 60 frames a second\n\n" + cost_text(plan);
     return text;
 }
@@ -187,7 +213,7 @@ ordered_json to_json(const std::string& label, const PassCost& cost) {
 
 ordered_json findings_json(const Plan& plan) {
     ordered_json findings = ordered_json::array();
-    for (const ChipFinding& finding : plan.findings) {
+    for (const ChipFinding& finding : plan.legal.left) {
         const pipeline::Evidence* evidence = find_evidence(plan.profile, finding.rule);
         findings.push_back({{"where", finding.where},
                             {"rule", finding.rule},
@@ -196,6 +222,13 @@ ordered_json findings_json(const Plan& plan) {
                             {"source", evidence != nullptr ? evidence->source : ""}});
     }
     return findings;
+}
+
+ordered_json notes_json(const pipeline::RewriteNotes& notes) {
+    ordered_json list = ordered_json::array();
+    for (const pipeline::RewriteNote& note : notes)
+        list.push_back({{"rewrite", note.rewrite}, {"where", note.where}, {"why", note.why}, {"how", note.how}});
+    return list;
 }
 
 ordered_json memory_json(const MemoryMap& memory) {
@@ -216,7 +249,7 @@ ordered_json cost_json(const Plan& plan) {
     if (!plan.cost) return nullptr;
     ordered_json passes = ordered_json::array(), unknown = ordered_json::array();
     for (std::size_t i = 0; i < plan.cost->passes.size(); ++i)
-        passes.push_back(to_json(plan.frame.passes[i].label, plan.cost->passes[i]));
+        passes.push_back(to_json(plan.legal.frame.passes[i].label, plan.cost->passes[i]));
     for (const pipeline::Evidence& evidence : plan.cost->unknown)
         unknown.push_back({{"topic", evidence.topic}, {"open", evidence.open}});
     return {{"passes", passes},
@@ -234,14 +267,15 @@ void report_plan(const PlanOptions& options) {
     } else {
         const ordered_json json{{"scene", options.scene},
                                 {"profile", plan.profile.name},
+                                {"rewrites", notes_json(plan.legal.notes)},
                                 {"findings", findings_json(plan)},
                                 {"memory", memory_json(plan.memory)},
                                 {"cost", cost_json(plan)}};
         print(json.dump(2) + '\n');
     }
-    if (!plan.findings.empty())
-        throw ChipCannot(std::string(plan.profile.name) + " cannot draw " + options.scene +
-                         " as it is: " + std::to_string(plan.findings.size()) + " findings");
+    if (!plan.legal.left.empty())
+        throw ChipCannot(std::string(plan.profile.name) + " cannot draw " + options.scene + ": " +
+                         std::to_string(plan.legal.left.size()) + " findings");
 }
 
 }  // namespace demo

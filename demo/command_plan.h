@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nimbus7 plan: may a chip draw a scene's frame as it is, where would it lie in the chip's memory, what would it cost?
+// nimbus7 plan: a scene's frame rewritten for a chip, what the chip still lacks, where all lies in its memory, what it costs.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Whether the alpha that a target holds shows anywhere in a frame.
+#pragma once
+
+#include "pipeline/frame/frame.h"
+
+namespace pipeline {
+
+bool keeps_alpha(TargetFormat format);
+
+// Does stage number `index` of the chain read its texture's alpha?
+bool reads_texture_alpha(const PipelineState& state, std::size_t index);
+
+// Is it read as a texture, by a blend or a test in the target, or copied to another? The picture's own alpha is not shown.
+bool is_alpha_read(const Frame& frame, TargetId target);
+
+}  // namespace pipeline

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/legalize/legalize.h"
+
+#include <utility>
+
+#include "pipeline/legalize/arithmetic.h"
+#include "pipeline/legalize/copies.h"
+#include "pipeline/legalize/dest_alpha_test.h"
+#include "pipeline/legalize/formats.h"
+#include "pipeline/legalize/gs_alpha.h"
+#include "pipeline/legalize/gs_blend.h"
+#include "pipeline/legalize/masked_alpha.h"
+#include "pipeline/legalize/pixel_center.h"
+#include "pipeline/legalize/reversed_depth.h"
+#include "pipeline/legalize/scissor.h"
+#include "pipeline/legalize/stages.h"
+#include "pipeline/legalize/vertex_constants.h"
+
+namespace pipeline {
+
+namespace {
+
+// What a rewrite leaves behind must still be seen by the one that serves it: passes for later stages have constants, formats
+// decide which copies convert, the test of destination alpha needs masks; the arithmetic comes when nothing asks for the
+// frame's own any more.
+constexpr Rewrite kRewrites[] = {
+    rewrite_stages,   rewrite_vertex_constants, rewrite_formats,        draw_copies,
+    test_by_blending, mask_by_blending,         rewrite_reversed_depth, rewrite_gs_alpha,
+    rewrite_gs_blend, limit_by_viewport,        move_to_pixel_centers,  use_chip_arithmetic,
+};
+
+}  // namespace
+
+LegalFrame legalize(Frame frame, const Profile& profile) {
+    LegalFrame legal{.frame = std::move(frame), .notes = {}, .left = {}};
+    for (const Rewrite rewrite : kRewrites) legal.frame = rewrite(std::move(legal.frame), profile, legal.notes);
+    legal.left = check(legal.frame, profile);
+    return legal;
+}
+
+}  // namespace pipeline
