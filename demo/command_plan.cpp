@@ -2,7 +2,6 @@
 #include "demo/command_plan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "demo/scene.h"
 #include "pipeline/profile/profile.h"

@@ -12,7 +12,7 @@ namespace pl = pipeline;
 
 namespace {
 
-// From camera space to where (along[0], along[1]) lies in the texture; an axis of -1 is its middle.
+// From camera space to the texture: u along one axis of the world, v along the other; -1 is the texture's middle.
 Mat4 project_along(const ThrownLight& light, const Mat4& view, int first_axis, int second_axis) {
     Mat4 from_world(0.0f);
     int row = 0;

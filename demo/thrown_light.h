@@ -11,7 +11,7 @@ namespace demo {
 pipeline::Texture light_texture();
 
 // With light_texture() on both stages: color (1 - (x^2 + z^2))^3 (1 - y^2)^3, in ranges from the light's centre. Seen from
-// above and from the side, as two textures are what there is; surfaces that look away are lit as well. The passes's camera
+// above and from the side, as two textures are what there is; surfaces that look away are lit as well. The pass's camera
 // has this view, its fog these distances.
 pipeline::PipelineState thrown_light_state(const ThrownLight& light, const pipeline::Mat4& view,
                                            const pipeline::FogState& fog);
