@@ -20,6 +20,18 @@ struct HalveChannel {
     }
 };
 
+std::uint32_t moved(CopyChannels channels, std::uint32_t from, std::uint32_t to) {
+    switch (channels) {
+        case CopyChannels::All:
+            return from;
+        case CopyChannels::AlphaToColor:
+            return (to & 0xff000000) | (from >> 24) * 0x010101;
+        case CopyChannels::GreenToAlpha:
+            return (to & 0x00ffffff) | (from << 16 & 0xff000000);
+    }
+    return to;
+}
+
 }  // namespace
 
 void copy_pixels(const CopyFill& copy) {
@@ -33,7 +45,9 @@ void copy_pixels(const CopyFill& copy) {
         const std::uint32_t* const from = copy.source->row(copy.from.y0 + step * row) + copy.from.x0;
         std::uint32_t* const to         = copy.target->row(copy.y + row) + copy.x;
         if (!copy.halve) {
-            std::transform(from, from + width, to, [&](std::uint32_t pixel) { return stored(masks, pixel); });
+            std::transform(from, from + width, to, to, [&](std::uint32_t pixel, std::uint32_t there) {
+                return stored(masks, moved(copy.channels, pixel, there));
+            });
             return;
         }
         const std::uint32_t* const below = from + copy.source->stride();

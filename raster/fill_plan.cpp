@@ -112,6 +112,7 @@ FillPlan plan_fill(const FillState& state, bool has_color, const ColorFormat& fo
     if (writes_color) set_blend_program(state.blend, plan.blend.store.keep, program);
 
     plan.needs.depth        = program.depth_bits != 0;
+    plan.needs.depth_cut    = state.whole_depth ? std::max(0, kDepthBits - depth_bits) : 0;
     plan.needs.floor_colors = program.floor_colors;
     plan.needs.diffuse      = program.reads_diffuse;
     plan.needs.specular     = program.reads_specular && !program.reads_fog_only;

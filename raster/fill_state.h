@@ -132,6 +132,7 @@ struct Blend {
 
 struct FillState {
     bool floor_colors = false;  // of interpolated colours, see primitives.h
+    bool whole_depth  = false;  // at the corners of triangles, see there
     int stage_count   = 0;
     std::array<CombineStage, kMaxTextures> stages;
     std::array<Sampler, kMaxTextures> samplers;

@@ -24,6 +24,7 @@
 //                                                                                floor(colour + 1/256)
 //   depth                 z * (2^30 - 1) in double, nearest, ties even  12   12   value, kept within the triangle's
 //                                                                                least and greatest v
+//     with `whole_depth`  that, without the bits that the format lacks
 //   texture s, t, q       see raster/sampling_rules.h                  12   12   value
 // (value is signed, >> arithmetic). At a covered pixel a value lies within its vertices' range but for the rounding of step
 // (8 at most) and that of gx and gy (2^20 / 2^S at most), so lanes of 16 bits (colour to nearest) and 32 bits (the others)

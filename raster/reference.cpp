@@ -130,10 +130,12 @@ void draw(const PassFill& pass, const FillState& state, Triangle triangle, FillC
     const Corners corners = snap_clockwise(pass.grid, triangle);
     if (corners.d == 0) return;
 
-    const std::array<std::int64_t, 3> z = {depth_at_vertex(triangle[0].z), depth_at_vertex(triangle[1].z),
-                                           depth_at_vertex(triangle[2].z)};
-    const Plane depth                   = make_plane(corners, z, 12, 12);
-    const auto [nearest, farthest]      = std::minmax({z[0], z[1], z[2]});
+    std::array<std::int64_t, 3> z = {depth_at_vertex(triangle[0].z), depth_at_vertex(triangle[1].z),
+                                     depth_at_vertex(triangle[2].z)};
+    if (state.whole_depth && pass.depth_bits < kDepthBits)
+        for (std::int64_t& depth : z) depth -= depth % (1 << (kDepthBits - pass.depth_bits));
+    const Plane depth              = make_plane(corners, z, 12, 12);
+    const auto [nearest, farthest] = std::minmax({z[0], z[1], z[2]});
     const ColorOverTriangle diffuse(corners, {triangle[0].diffuse, triangle[1].diffuse, triangle[2].diffuse},
                                     state.floor_colors);
     const ColorOverTriangle specular(corners, {triangle[0].specular, triangle[1].specular, triangle[2].specular},

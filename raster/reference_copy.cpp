@@ -24,16 +24,27 @@ std::uint32_t mean_of_four(const Image& image, const ColorFormat& format, int x,
     return color;
 }
 
+// Channel c of what `to` becomes.
+std::uint32_t moved_channel(CopyChannels channels, std::uint32_t from, std::uint32_t to, int c) {
+    const auto channel = [](std::uint32_t color, int i) { return (color >> (8 * i)) & 255; };
+    if (channels == CopyChannels::AlphaToColor) return c == 3 ? channel(to, 3) : channel(from, 3);
+    if (channels == CopyChannels::GreenToAlpha) return c == 3 ? channel(from, 1) : channel(to, c);
+    return channel(from, c);
+}
+
 }  // namespace
 
 void reference_copy_pixels(const CopyFill& copy) {
     const int scale = copy.halve ? 2 : 1;
     for (int y = copy.from.y0; y < copy.from.y1; y += scale) {
         for (int x = copy.from.x0; x < copy.from.x1; x += scale) {
-            const std::uint32_t color =
+            const std::uint32_t from =
                 copy.halve ? mean_of_four(*copy.source, copy.source_format, x, y) : copy.source->row(y)[x];
-            copy.target->row(copy.y + (y - copy.from.y0) / scale)[copy.x + (x - copy.from.x0) / scale] =
-                reference::stored_color(copy.target_format, color);
+            std::uint32_t& to =
+                copy.target->row(copy.y + (y - copy.from.y0) / scale)[copy.x + (x - copy.from.x0) / scale];
+            std::uint32_t color = 0;
+            for (int c = 0; c < 4; ++c) color |= moved_channel(copy.channels, from, to, c) << (8 * c);
+            to = reference::stored_color(copy.target_format, color);
         }
     }
 }

@@ -172,9 +172,10 @@ HWY_INLINE float step_of(std::uint64_t plane_step) {
     return static_cast<float>(static_cast<double>(static_cast<std::int64_t>(plane_step)) / (1 << kTextureFraction));
 }
 
-// As depth_value.
-HWY_INLINE std::int32_t to_depth(float z) {
-    return static_cast<std::int32_t>((static_cast<double>(z) * ((1 << kDepthBits) - 1) + 0x1p52) - 0x1p52);
+// As depth_value, without its `cut` low bits.
+HWY_INLINE std::int32_t to_depth(float z, int cut) {
+    const auto value = static_cast<std::int32_t>((static_cast<double>(z) * ((1 << kDepthBits) - 1) + 0x1p52) - 0x1p52);
+    return value & -(1 << cut);
 }
 
 // z, and s, t, q times 1/w, at the corners; and the powers of two that make integers of s, t, and of q.
@@ -254,11 +255,18 @@ HWY_INLINE void set_up_depth_and_textures(const Corners& c, const SetupNeeds& ne
         maker.make<0, 12>(values.integers(0, lane, scale), values.integers(1, lane, scale),
                           values.integers(2, lane, scale), planes + lane);
     }
+    if (needs.depth && needs.depth_cut != 0) {
+        // Rare enough for lanes of which one is used.
+        const auto depth = [&](int corner) HWY_ATTR { return set(to_depth(c.vertex[corner]->z, needs.depth_cut)); };
+        Plane cut[kLanes];
+        maker.make<0, 12>(depth(0), depth(1), depth(2), cut);
+        planes[kDepthLane] = cut[0];
+    }
     if (needs.depth) {
         out.depth             = planes[kDepthLane];
         const auto [min, max] = std::minmax({c.vertex[0]->z, c.vertex[1]->z, c.vertex[2]->z});
-        out.depth_min         = to_depth(min);
-        out.depth_max         = to_depth(max);
+        out.depth_min         = to_depth(min, needs.depth_cut);
+        out.depth_max         = to_depth(max, needs.depth_cut);
     }
     for (int i = 0; i < kMaxTextures; ++i)
         if (needs.texture[i]) set_texture(planes, needs, i, values.exponents[i], out.textures[i]);

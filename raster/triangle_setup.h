@@ -51,6 +51,7 @@ struct SetUpTriangle {
 struct SetupNeeds {
     bool depth = false, diffuse = false, specular = false, fog = false;
     bool floor_colors = false;
+    int depth_cut     = 0;  // low bits that a corner's depth loses
     std::array<bool, kMaxTextures> texture{}, lod{};
     std::array<int, kMaxTextures> width{}, height{};
 };

@@ -11,6 +11,7 @@
 #include "pipeline/execute/lower.h"
 #include "pipeline/execute/schedule.h"
 #include "pipeline/execute/vertex_stage.h"
+#include "pipeline/execute/window.h"
 #include "pipeline/validate/validate.h"
 #include "raster/fill_pass.h"
 #include "raster/reference.h"
@@ -47,6 +48,28 @@ raster::Rectangle lower(const DrawRectangle& rectangle) {
     for (int i = 0; i < kTextureStages; ++i)
         out.uv[i] = {rectangle.uv[i].u0, rectangle.uv[i].v0, rectangle.uv[i].u1, rectangle.uv[i].v1};
     return out;
+}
+
+raster::Vertex lower(const WindowVertex& vertex) {
+    return {.diffuse  = vertex.diffuse.value,
+            .specular = vertex.specular.value,
+            .x        = vertex.x,
+            .y        = vertex.y,
+            .z        = vertex.z,
+            .rhw      = vertex.rhw,
+            .uv       = {{{vertex.uv0.x, vertex.uv0.y, vertex.uv0.z}, {vertex.uv1.x, vertex.uv1.y, vertex.uv1.z}}}};
+}
+
+raster::CopyChannels lower(CopyChannels channels) {
+    switch (channels) {
+        case CopyChannels::All:
+            break;
+        case CopyChannels::AlphaToColor:
+            return raster::CopyChannels::AlphaToColor;
+        case CopyChannels::GreenToAlpha:
+            return raster::CopyChannels::GreenToAlpha;
+    }
+    return raster::CopyChannels::All;
 }
 
 raster::Rect to_rect(const PixelRect& rect) {
@@ -99,6 +122,7 @@ class FrameExecution {
             for (const VertexStageDraw& draw : memory_.stage_draws)
                 add_stage_counts(draw.counts, out.counts[static_cast<std::size_t>(draw.pass - frame_.passes.data())]);
             for (std::size_t i = 0; i < size; ++i) {
+                count_window_triangles(passes[i], fills[i], out.counts[group.first + i]);
                 PassCounts& pass_counts            = out.counts[group.first + i];
                 const raster::KernelCounts& filled = memory_.filled[i + 1];
                 count_clear(passes[i], fills[i].scissor, pass_counts);
@@ -168,11 +192,38 @@ class FrameExecution {
                 continue;
             }
             out.triangles.clear();
+            if (const auto* triangles = std::get_if<DrawWindowTriangles>(&pass.draws[i])) {
+                out.state = state(pass, triangles->textures);
+                out.flat  = pass.state.shade == ShadeMode::Flat;
+                set_triangles(*triangles, pass.state.cull, out);
+            }
             if (const auto* rectangle = std::get_if<DrawRectangle>(&pass.draws[i])) {
                 out.state     = state(pass, rectangle->textures);
                 out.state.fog = false;
                 out.rectangles.push_back(lower(*rectangle));
             }
+        }
+    }
+
+    // Those that are not culled, with the vertices that their indices name, from the least to the greatest.
+    void set_triangles(const DrawWindowTriangles& draw, CullMode cull, raster::Draw& out) const {
+        const std::span indices = std::span(frame_.indices).subspan(draw.first_index, draw.index_count);
+        out.vertices.clear();
+        if (indices.empty()) return;
+        const auto [least, greatest] = std::minmax_element(indices.begin(), indices.end());
+        const std::span used         = std::span(frame_.window_vertices).subspan(*least, *greatest - *least + 1);
+        const raster::PixelGrid grid = pixel_grid(frame_.arithmetic);
+        out.vertices.resize(used.size());
+        std::transform(used.begin(), used.end(), out.vertices.begin(),
+                       [](const auto& vertex) { return lower(vertex); });
+        const auto snapped = [&](std::uint32_t corner) {
+            return raster::snap_to_subpixels(grid, out.vertices[corner].x, out.vertices[corner].y);
+        };
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+            const raster::TriangleCorners corners{indices[i] - *least, indices[i + 1] - *least,
+                                                  indices[i + 2] - *least};
+            if (!is_culled(cull, area_of(snapped(corners[0]), snapped(corners[1]), snapped(corners[2]))))
+                out.triangles.push_back(corners);
         }
     }
 
@@ -211,7 +262,9 @@ class FrameExecution {
                                     .target_format = color_format(format(pass.color)),
                                     .x             = rectangle.x,
                                     .y             = rectangle.y,
-                                    .halve         = rectangle.halve};
+                                    .halve         = rectangle.halve,
+                                    .channels      = lower(rectangle.channels)};
+        if (rectangle.channels != CopyChannels::All) memory_.frame.set_zeros(pass.color);
         memory_.frame.add_drawn(
             pass.color, {fill.x, fill.y, fill.x + (from.x1 - from.x0) / scale, fill.y + (from.y1 - from.y0) / scale});
         if (is_reference())
@@ -224,6 +277,15 @@ class FrameExecution {
         counts.texels += read;
         counts.color_written += written;
         counts.bytes += read * pixel_bytes(rectangle.source) + written * pixel_bytes(pass.color);
+    }
+
+    static void count_window_triangles(const Pass& pass, const raster::PassFill& fill, PassCounts& counts) {
+        for (std::size_t i = 0; i < pass.draws.size(); ++i) {
+            const auto* triangles = std::get_if<DrawWindowTriangles>(&pass.draws[i]);
+            if (triangles == nullptr) continue;
+            counts.triangles_in += triangles->index_count / 3;
+            counts.triangles_drawn += fill.draws[i].triangles.size();
+        }
     }
 
     static void add_stage_counts(const VertexStageCounts& stage, PassCounts& counts) {

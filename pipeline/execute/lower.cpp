@@ -297,6 +297,7 @@ raster::FillState lower(const Arithmetic& arithmetic, const PipelineState& state
                         const TextureBindings& textures, const FrameMemory& memory) {
     raster::FillState out;
     out.floor_colors = arithmetic.gouraud == GouraudRule::Floor;
+    out.whole_depth  = arithmetic.vertex_depth == VertexDepth::WholeUnits;
     out.stage_count  = stage_count(state);
     for (int i = 0; i < out.stage_count; ++i) {
         const TextureStage& stage = state.stages[i];

@@ -92,10 +92,10 @@ void load(const std::vector<Vertex>& source, std::span<const std::uint32_t> vert
 }  // namespace
 
 VertexShader::VertexShader(const Frame& frame, const Pass& pass, const DrawTriangles& draw, const PixelRect& viewport,
-                           ShadingPath path)
+                           float guard_band, ShadingPath path)
     : source_(frame.vertices),
       state_(pass.state),
-      window_(viewport, pixel_grid(frame.arithmetic)),
+      window_(viewport, pixel_grid(frame.arithmetic), guard_band),
       lighting_(prepare_lighting(pass.state.lighting, frame.cameras[pass.camera.index].view, draw.world)),
       stage_count_(stage_count(pass.state)),
       kernels_(raster::vertex_kernels()),

@@ -22,7 +22,7 @@ class VertexShader {
   public:
     // Refers to all of them.
     VertexShader(const Frame& frame, const Pass& pass, const DrawTriangles& draw, const PixelRect& viewport,
-                 ShadingPath path = ShadingPath::Kernels);
+                 float guard_band = kGuardBand, ShadingPath path = ShadingPath::Kernels);
 
     // Both: of the frame's vertices that are listed, kVertexBlock at most.
     void place_block(std::span<const std::uint32_t> vertices, raster::PlacedVertices& out) const;

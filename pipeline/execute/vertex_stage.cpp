@@ -21,22 +21,6 @@ bool has_coords_in_range(const raster::Vertex& vertex) {
                        [&](const raster::TexCoord& uv) { return in_range(uv.s) && in_range(uv.t) && in_range(uv.q); });
 }
 
-bool is_culled(CullMode mode, std::int64_t area) {
-    switch (mode) {
-        case CullMode::None:
-            return area == 0;
-        case CullMode::Clockwise:
-            return area >= 0;
-        case CullMode::CounterClockwise:
-            return area <= 0;
-    }
-    return false;
-}
-
-std::int64_t area_of(const raster::Subpixel& a, const raster::Subpixel& b, const raster::Subpixel& c) {
-    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-}
-
 // A vertex after placing. Marks are set by several threads.
 struct Place {
     std::int32_t x = 0, y = 0;        // snapped
@@ -234,7 +218,7 @@ void VertexStage::Memory::prepare(const Frame& frame, std::span<VertexStageDraw>
         work.draw                 = &draw;
         work.has_out_of_range     = false;
         work.vertices_referred_to = 0;
-        work.shader.emplace(frame, *draw.pass, *draw.draw, draw.viewport, path);
+        work.shader.emplace(frame, *draw.pass, *draw.draw, draw.viewport, draw.guard_band, path);
         work.list.set(std::span(frame.indices).subspan(draw.draw->first_index, draw.draw->index_count));
         work.places.resize(work.list.size());
         draw.out->flat = draw.pass->state.shade == ShadeMode::Flat;

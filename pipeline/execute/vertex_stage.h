@@ -31,12 +31,13 @@ struct VertexStageCounts {
     std::uint64_t triangles_in = 0, triangles_drawn = 0;
 };
 
-// A draw for the stage. `viewport` is already resolved (not empty); `out` gets the triangles, in order, and their
+// A draw for the stage. `viewport` is already resolved (not empty); `guard_band` is in pixels; `out` gets the triangles, in order, and their
 // vertices, in place of those it had.
 struct VertexStageDraw {
     const Pass* pass          = nullptr;
     const DrawTriangles* draw = nullptr;
     PixelRect viewport;
+    float guard_band  = kGuardBand;
     raster::Draw* out = nullptr;
     VertexStageCounts counts;
 };

@@ -18,6 +18,13 @@ struct EnumNames<SnapRule> {
     static constexpr std::array<std::string_view, 2> names{"NEAREST", "TRUNCATE"};
 };
 
+// Depth at the vertices of a triangle: with more bits than the depth buffer, or cut to whole units of it, as registers hold.
+enum class VertexDepth : std::uint8_t { Fine, WholeUnits };
+template <>
+struct EnumNames<VertexDepth> {
+    static constexpr std::array<std::string_view, 2> names{"FINE", "WHOLE_UNITS"};
+};
+
 // An interpolated colour, to a byte: the nearest, or the floor of what is 1/256 more.
 enum class GouraudRule : std::uint8_t { Nearest, Floor };
 template <>
@@ -84,6 +91,7 @@ struct EnumNames<BlendSource> {
 struct Arithmetic {
     SnapRule snap                            = SnapRule::Nearest;
     std::int32_t pixel_center                = 8;
+    VertexDepth vertex_depth                 = VertexDepth::Fine;
     GouraudRule gouraud                      = GouraudRule::Nearest;
     FilterRule filter                        = FilterRule::Reference8;
     CombineRule combine                      = CombineRule::Nearest255;
@@ -94,9 +102,10 @@ struct Arithmetic {
 };
 template <SameStruct<Arithmetic> State, class Visit>
 void visit_fields(State& state, Visit&& visit) {
-    auto& [snap, pixel_center, gouraud, filter, combine, fog, blend, blend_source] = state;
+    auto& [snap, pixel_center, vertex_depth, gouraud, filter, combine, fog, blend, blend_source] = state;
     visit("snap", snap);
     visit("pixel_center", pixel_center);
+    visit("vertex_depth", vertex_depth);
     visit("gouraud", gouraud);
     visit("filter", filter);
     visit("combine", combine);

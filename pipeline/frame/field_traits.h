@@ -66,6 +66,8 @@ template <>
 inline constexpr std::string_view kAlternativeName<DrawRectangle> = "rectangle";
 template <>
 inline constexpr std::string_view kAlternativeName<CopyRectangle> = "copy";
+template <>
+inline constexpr std::string_view kAlternativeName<DrawWindowTriangles> = "window_triangles";
 
 // Field number `index` of `value`, which is known to be a `Field`.
 template <class Field, FieldStruct Struct>

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -159,6 +160,31 @@ void visit_fields(State& state, Visit&& visit) {
     visit("uv1", uv1);
 }
 
+// Window space, already lit, as Direct3D 7's D3DTLVERTEX. x, y: pixels, within +-kMaxWindowCoordinate; z: depth, 0..1; rhw: 1/w,
+// greater than 0. The alpha of specular is the fog factor, 255 for no fog. uv is (s, t, q): the texture is read at (s/q, t/q), and
+// each times rhw stays below 2^40.
+struct WindowVertex {
+    float x = 0.0f, y = 0.0f, z = 0.0f, rhw = 1.0f;
+    Argb diffuse;
+    Argb specular                              = {0xff000000};
+    Vec3 uv0                                   = Vec3(0.0f, 0.0f, 1.0f);
+    Vec3 uv1                                   = Vec3(0.0f, 0.0f, 1.0f);
+    bool operator==(const WindowVertex&) const = default;
+};
+template <SameStruct<WindowVertex> State, class Visit>
+void visit_fields(State& state, Visit&& visit) {
+    auto& [x, y, z, rhw, diffuse, specular, uv0, uv1] = state;
+    visit("x", x);
+    visit("y", y);
+    visit("z", z);
+    visit("rhw", rhw);
+    visit("diffuse", diffuse);
+    visit("specular", specular);
+    visit("uv0", uv0);
+    visit("uv1", uv1);
+}
+inline constexpr std::int32_t kMaxWindowCoordinate = 16384;
+
 // What a draw binds to a stage: nothing, a texture, or a colour target other than the one drawn to. As in Direct3D 7 a
 // stage that reads TEXTURE with nothing bound gets white.
 struct TextureBinding {
@@ -188,6 +214,22 @@ void visit_fields(State& state, Visit&& visit) {
     visit("first_index", first_index);
     visit("index_count", index_count);
     visit("world", world);
+    visit("textures", textures);
+}
+
+// Triangles whose indices name window vertices: not transformed, lit, clipped or given coordinates; the pass's viewport limits
+// them as its scissor does. They are culled, and fogged by their vertices' factors where the pass has fog.
+struct DrawWindowTriangles {
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    TextureBindings textures;
+    bool operator==(const DrawWindowTriangles&) const = default;
+};
+template <SameStruct<DrawWindowTriangles> State, class Visit>
+void visit_fields(State& state, Visit&& visit) {
+    auto& [first_index, index_count, textures] = state;
+    visit("first_index", first_index);
+    visit("index_count", index_count);
     visit("textures", textures);
 }
 
@@ -232,34 +274,51 @@ void visit_fields(State& state, Visit&& visit) {
     visit("textures", textures);
 }
 
+// What a copy moves: whole pixels; the alpha of each to red, green and blue; or its green to alpha. The other channels stay.
+enum class CopyChannels : std::uint8_t { All, AlphaToColor, GreenToAlpha };
+template <>
+struct EnumNames<CopyChannels> {
+    static constexpr std::array<std::string_view, 3> names{"ALL", "ALPHA_TO_COLOR", "GREEN_TO_ALPHA"};
+};
+
 // Copies pixels of another colour target to the pass's, `from` whole and with its top left corner to (x, y): a copy engine, to
 // which no state applies. A pass that copies does nothing else but clear, which viewport and scissor limit. halve: each 2x2 pixels become one, channel by
 // channel, S >> 2 with S the sum of the four; from R6G6B6A6, with S the sum of the four 6-bit values, S + (S >> 6), a
-// whole byte. Only targets of 8 or 6 bits can be halved, from even corners.
+// whole byte. Only targets of 8 or 6 bits can be halved, from even corners, and not from one channel to another.
 struct CopyRectangle {
     TargetId source;
     PixelRect from;
     std::int32_t x = 0, y = 0;
     bool halve                                  = false;
+    CopyChannels channels                       = CopyChannels::All;
     bool operator==(const CopyRectangle&) const = default;
 };
 template <SameStruct<CopyRectangle> State, class Visit>
 void visit_fields(State& state, Visit&& visit) {
-    auto& [source, from, x, y, halve] = state;
+    auto& [source, from, x, y, halve, channels] = state;
     visit("source", source);
     visit("from", from);
     visit("x", x);
     visit("y", y);
     visit("halve", halve);
+    visit("channels", channels);
 }
 
-using Draw = std::variant<DrawTriangles, DrawRectangle, CopyRectangle>;
+using Draw = std::variant<DrawTriangles, DrawRectangle, CopyRectangle, DrawWindowTriangles>;
 
-// What a draw binds; nothing if it copies.
+// What a draw binds; null if it copies.
+inline const TextureBindings* bindings_of(const Draw& draw) {
+    if (const auto* triangles = std::get_if<DrawTriangles>(&draw)) return &triangles->textures;
+    if (const auto* rectangle = std::get_if<DrawRectangle>(&draw)) return &rectangle->textures;
+    if (const auto* triangles = std::get_if<DrawWindowTriangles>(&draw)) return &triangles->textures;
+    return nullptr;
+}
+inline TextureBindings* bindings_of(Draw& draw) {
+    return const_cast<TextureBindings*>(bindings_of(std::as_const(draw)));
+}
 inline TextureBindings textures_of(const Draw& draw) {
-    if (const auto* triangles = std::get_if<DrawTriangles>(&draw)) return triangles->textures;
-    if (const auto* rectangle = std::get_if<DrawRectangle>(&draw)) return rectangle->textures;
-    return {};
+    const TextureBindings* bindings = bindings_of(draw);
+    return bindings != nullptr ? *bindings : TextureBindings{};
 }
 
 // Sets what lies within viewport and scissor before the draws; as in Direct3D 7 no other state applies.
@@ -306,12 +365,13 @@ struct Frame {
     std::vector<Pass> passes;
     std::vector<Texture> textures;
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;
+    std::vector<WindowVertex> window_vertices;
+    std::vector<std::uint32_t> indices;  // of either, as the draw that uses them says
     bool operator==(const Frame&) const = default;
 };
 template <SameStruct<Frame> State, class Visit>
 void visit_fields(State& state, Visit&& visit) {
-    auto& [output, arithmetic, targets, cameras, passes, textures, vertices, indices] = state;
+    auto& [output, arithmetic, targets, cameras, passes, textures, vertices, window_vertices, indices] = state;
     visit("output", output);
     visit("arithmetic", arithmetic);
     visit("targets", targets);
@@ -319,6 +379,7 @@ void visit_fields(State& state, Visit&& visit) {
     visit("passes", passes);
     visit("textures", textures);
     visit("vertices", vertices);
+    visit("window_vertices", window_vertices);
     visit("indices", indices);
 }
 

@@ -60,9 +60,8 @@ void check_bindings(const Frame& frame, const Pass& pass, const TextureBindings&
     }
 }
 
-void check_triangles(const Frame& frame, const Pass& pass, const DrawTriangles& draw, const Place& place,
-                     Findings& findings) {
-    if (!pass.camera) report(findings, place, "must have a camera: the pass names none");
+template <class Triangles>
+void check_triangles(const Frame& frame, const Triangles& draw, const Place& place, Findings& findings) {
     if (draw.index_count % 3 != 0) {
         report(findings, place.field("index_count"), "must be a multiple of 3" + got(draw.index_count));
     }
@@ -117,6 +116,9 @@ void check_copy(const Frame& frame, const Pass& pass, const CopyRectangle& copy,
     if (copy.source == pass.color) report(findings, at, "must not be the target that the pass draws to");
     if (copy.halve && !keeps_bytes(source->format) && source->format != TargetFormat::R6G6B6A6) {
         report(findings, place.field("halve"), "must be false for a source of this format" + got(source->format));
+    }
+    if (copy.halve && copy.channels != CopyChannels::All) {
+        report(findings, place.field("channels"), "must be ALL for what is halved" + got(copy.channels));
     }
     const PixelRect& from = copy.from;
     if (from.x0 < 0 || from.y0 < 0 || from.x0 >= from.x1 || from.y0 >= from.y1 || from.x1 > source->width ||
@@ -182,11 +184,15 @@ void check_draws(const Frame& frame, const Pass& pass, const Place& place, Findi
     for (std::size_t i = 0; i < pass.draws.size(); ++i) {
         const Place here = place.entry("draws", i);
         if (const auto* triangles = std::get_if<DrawTriangles>(&pass.draws[i])) {
-            check_triangles(frame, pass, *triangles, here, findings);
+            if (!pass.camera) report(findings, here, "must have a camera: the pass names none");
+            check_triangles(frame, *triangles, here, findings);
             check_bindings(frame, pass, triangles->textures, here, findings);
         } else if (const auto* rectangle = std::get_if<DrawRectangle>(&pass.draws[i])) {
             check_rectangle(frame, *rectangle, here, findings);
             check_bindings(frame, pass, rectangle->textures, here, findings);
+        } else if (const auto* window = std::get_if<DrawWindowTriangles>(&pass.draws[i])) {
+            check_triangles(frame, *window, here, findings);
+            check_bindings(frame, pass, window->textures, here, findings);
         } else {
             check_copy(frame, pass, std::get<CopyRectangle>(pass.draws[i]), here, findings);
         }

@@ -30,7 +30,8 @@ std::size_t leaves_of(const T& field) {
     if constexpr (FieldStruct<T>) {
         return count_leaves(field);
     } else if constexpr (kIsVariant<T>) {
-        return count_leaves(DrawTriangles{}) + count_leaves(DrawRectangle{}) + count_leaves(CopyRectangle{});
+        return count_leaves(DrawTriangles{}) + count_leaves(DrawRectangle{}) + count_leaves(CopyRectangle{}) +
+               count_leaves(DrawWindowTriangles{});
     } else if constexpr (kIsList<T> || kIsArray<T>) {
         return leaves_of(typename T::value_type{});
     } else {

@@ -287,7 +287,7 @@ TEST_CASE("errors of the text say where and why") {
         {"nimbus7 frame 1\n}", "2:1: expected a field of the frame, got '}'"},
         {"nimbus7 frame 1\noutput none trailing",
          "2:13: unknown field 'trailing' in the frame; there are output, arithmetic, targets, cameras, passes, textures, vertices, "
-         "indices"},
+         "window_vertices, indices"},
         {"nimbus7 frame 1\npasses [ {} { state {\n  blnd {} } } ]",
          "3:3: unknown field 'blnd' in passes[1].state; there are blend, gs_blend, dither, color_mask, "
          "depth, alpha_test, dest_alpha_test, cull, shade, fog, texture_factor, stages, lighting, viewport, scissor"},
@@ -330,7 +330,8 @@ TEST_CASE("errors of the text say where and why") {
         {"nimbus7 frame 1\ntargets [ \"a\n\" {} ]", "2:11: the string is not closed on its line"},
         {"nimbus7 frame 1\ntargets [ \"a\\q\" {} ]",
          "2:13: unknown escape in a string: there are \\\" \\\\ \\n \\t \\r \\x7f"},
-        {"nimbus7 frame 1\npasses [{ draws [ circle {} ] }]", "2:19: expected one of triangles rectangle copy"},
+        {"nimbus7 frame 1\npasses [{ draws [ circle {} ] }]",
+         "2:19: expected one of triangles rectangle copy window_triangles"},
         {"nimbus7 frame 1\npasses [{ draws [ rectangle { textures [{}{}{}] } ] }]",
          "2:45: too many: passes[0].draws[0].textures has 2 entries"},
         {"nimbus7 frame 1\ntextures [{ texels [00 f] }]", "2:25: half a byte: a byte has two hexadecimal digits"},

@@ -97,7 +97,7 @@ TEST_CASE("shading by blocks and one by one gives the same bits", "[vertex_stage
 TEST_CASE("placing by blocks tells the sides of the clip volumes apart", "[vertex_stage][agreement]") {
     for (const bool truncate : {false, true}) {
         const PixelRect viewport{10, 20, 110, 70};
-        const Window window(viewport, {.center = 8, .truncate = truncate});
+        const Window window(viewport, {.center = 8, .truncate = truncate}, kGuardBand);
         test_support::for_each_simd_target([&] {
             Random random(3);
             int placed_count = 0;

@@ -156,6 +156,7 @@ TEST_CASE("setup gives the planes and edges of the rules, exactly", "[raster][se
             const PixelGrid grid{.center = random.from(0, 15), .truncate = random.chance(50)};
             SetupNeeds needs{.depth = true, .diffuse = true, .specular = random.chance(50), .fog = random.chance(50)};
             needs.floor_colors = random.chance(50);
+            needs.depth_cut    = random.one_of({0, 6, 14});
             needs.texture      = {true, true};
             needs.lod          = {true, true};
             needs.width        = {64, 8192};
@@ -171,10 +172,9 @@ TEST_CASE("setup gives the planes and edges of the rules, exactly", "[raster][se
                     const std::int64_t e = expected.edge(i, x, y);
                     REQUIRE((got.edges[i].at(x, y) >= 0) == (e > 0 || (e == 0 && expected.is_top_left(i))));
                 }
-            REQUIRE(
-                same(got.depth, expected.plane(12, [](const Vertex& v) { return std::int64_t{depth_value(v.z)}; })));
-            const auto [least, greatest] =
-                std::minmax({depth_value(triangle[0].z), depth_value(triangle[1].z), depth_value(triangle[2].z)});
+            const auto depth = [&](const Vertex& v) { return depth_value(v.z) >> needs.depth_cut << needs.depth_cut; };
+            REQUIRE(same(got.depth, expected.plane(12, [&](const Vertex& v) { return std::int64_t{depth(v)}; })));
+            const auto [least, greatest] = std::minmax({depth(triangle[0]), depth(triangle[1]), depth(triangle[2])});
             REQUIRE(static_cast<std::uint32_t>(got.depth_min) == least);
             REQUIRE(static_cast<std::uint32_t>(got.depth_max) == greatest);
             const int fraction = needs.floor_colors ? 31 : 23;
