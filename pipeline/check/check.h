@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // May a chip draw a frame as it is? Everything that it lacks is a finding, not only the first; a frame without one needs
 // nothing but its registers written. What has no effect, as a scissor that holds the viewport, is not asked of the chip.
-// The frame is valid (pipeline/validate). Lights and transforms are not looked at: where the chip has none, the
-// program computes them.
+// The frame is valid (pipeline/validate).
 #pragma once
 
 #include <string>

@@ -25,11 +25,9 @@ bool exceeds(std::int32_t size, std::int32_t limit) {
 void check_texture_size(std::int32_t width, std::int32_t height, std::string_view what, const Place& place,
                         ChipFindings& findings) {
     const ChipLimits& limits = findings.profile().limits;
-    const std::string uses   = size_text(width, height) + std::string(what);
     if (exceeds(width, limits.texture_width) || exceeds(height, limits.texture_height))
-        findings.add(place, "limits", uses, limit_text(limits.texture_width, limits.texture_height));
-    if (limits.powers_of_two && !(is_power_of_two(width) && is_power_of_two(height)))
-        findings.add(place, "limits", uses, "powers of two");
+        findings.add(place, "limits", size_text(width, height) + std::string(what),
+                     limit_text(limits.texture_width, limits.texture_height));
 }
 
 void check_target_format(TargetFormat format, const TargetUse& use, const Place& place, ChipFindings& findings) {

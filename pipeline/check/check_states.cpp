@@ -77,8 +77,9 @@ void check_scissor(const Frame& frame, const Pass& pass, const Place& place, Chi
     findings.add(place.field("scissor"), "states", differing_fields(pass.state.scissor, {}), "none");
 }
 
-void check_triangles(const PipelineState& state, const Place& place, ChipFindings& findings) {
-    const ChipStates& states = findings.profile().states;
+void check_triangles(const Pass& pass, const Place& place, ChipFindings& findings) {
+    const ChipStates& states   = findings.profile().states;
+    const PipelineState& state = pass.state;
     if (state.cull != CullMode::None && !states.culling)
         findings.add(place.field("cull"), "states", text_of(state.cull), "NONE");
     if (state.shade == ShadeMode::Flat && states.flat != FlatVertex::First)
@@ -88,6 +89,13 @@ void check_triangles(const PipelineState& state, const Place& place, ChipFinding
         const Place lighting = place.field("lighting");
         findings.add(lighting.field("specular_enable"), "states", "true", "false");
     }
+}
+
+void check_window_space(const Pass& pass, const Place& place, ChipFindings& findings) {
+    if (findings.profile().states.transforms) return;
+    for (std::size_t i = 0; i < pass.draws.size(); ++i)
+        if (std::holds_alternative<DrawTriangles>(pass.draws[i]))
+            findings.add(place.entry("draws", i), "states", "triangles", "window_triangles");
 }
 
 }  // namespace
@@ -101,7 +109,8 @@ void check_states(const Frame& frame, const Pass& pass, const Place& place, Chip
         check_color_mask(pass.state.color_mask, *target, state, findings);
     }
     if (draws(pass)) check_tests(pass, state, findings);
-    if (draws_triangles(pass)) check_triangles(pass.state, state, findings);
+    if (draws_triangles(pass)) check_triangles(pass, state, findings);
+    check_window_space(pass, place, findings);
     check_scissor(frame, pass, state, findings);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pipeline/check/needed_pixels.h"
 #include "pipeline/check/target_use.h"
 
 namespace pipeline {
@@ -18,23 +19,20 @@ struct Group {
     BufferSpot spot;
 };
 
-bool overlap_in_time(const std::vector<PassRange>& a, const std::vector<PassRange>& b, std::size_t* first = nullptr) {
-    bool any = false;
-    for (const PassRange& one : a) {
-        for (const PassRange& other : b) {
-            if (!overlap(one, other)) continue;
-            const std::size_t start = std::max(one.first, other.first);
-            if (first != nullptr) *first = any ? std::min(*first, start) : start;
-            any = true;
-        }
-    }
-    return any;
+// The first pass in which targets at spots that lie (dx, dy) apart need the same pixel; nothing if none does.
+std::optional<std::size_t> first_meeting(const std::vector<PixelRegion>& one, const std::vector<PixelRegion>& other,
+                                         std::int32_t dx = 0, std::int32_t dy = 0) {
+    for (std::size_t pass = 0; pass < one.size(); ++pass)
+        if (meet(one[pass], other[pass], dx, dy)) return pass;
+    return {};
 }
 
 class Placement {
   public:
     Placement(const Frame& frame, const std::vector<bool>& is_in_buffer, std::int32_t width, std::int32_t step)
-        : frame_(frame), live_(live_ranges(frame)), width_(width), step_(step) {
+        : frame_(frame), needed_(frame.targets.size()), width_(width), step_(step) {
+        for (std::size_t i = 0; i < needed_.size(); ++i)
+            if (is_in_buffer[i]) needed_[i] = needed_pixels(frame, {static_cast<std::int32_t>(i)});
         make_groups(is_in_buffer);
         // The largest first: what is small finds room beside it.
         std::stable_sort(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) {
@@ -89,11 +87,12 @@ class Placement {
         group.has_depth = group.has_depth || is_depth(target.format);
     }
 
-    // Do two groups need the same memory at one time, if they lie at one place?
-    bool meet(const Group& a, const Group& b) const {
-        for (const std::size_t one : a.members)
-            for (const std::size_t other : b.members)
-                if (is_depth_target(one) == is_depth_target(other) && overlap_in_time(live_[one], live_[other]))
+    // Do two groups need the same pixel at one time, if the one lies at `spot`?
+    bool would_clash(const Group& group, const BufferSpot& spot, const Group& other) const {
+        for (const std::size_t one : group.members)
+            for (const std::size_t another : other.members)
+                if (is_depth_target(one) == is_depth_target(another) &&
+                    first_meeting(needed_[one], needed_[another], other.spot.x - spot.x, other.spot.y - spot.y))
                     return true;
         return false;
     }
@@ -105,7 +104,7 @@ class Placement {
             const Group& other  = groups_[i];
             const bool is_apart = spot.x >= other.spot.x + other.width || other.spot.x >= spot.x + group.width ||
                                   spot.y >= other.spot.y + other.height || other.spot.y >= spot.y + group.height;
-            if (!is_apart && meet(group, other)) return false;
+            if (!is_apart && would_clash(group, spot, other)) return false;
         }
         return true;
     }
@@ -131,15 +130,15 @@ class Placement {
         for (std::size_t i = 0; i < group.members.size(); ++i) {
             for (std::size_t k = i + 1; k < group.members.size(); ++k) {
                 const std::size_t one = group.members[i], other = group.members[k];
-                std::size_t pass = 0;
-                if (is_depth_target(one) == is_depth_target(other) && overlap_in_time(live_[one], live_[other], &pass))
-                    clashes.push_back({{static_cast<std::int32_t>(one)}, {static_cast<std::int32_t>(other)}, pass});
+                if (is_depth_target(one) != is_depth_target(other)) continue;
+                if (const auto pass = first_meeting(needed_[one], needed_[other]))
+                    clashes.push_back({{static_cast<std::int32_t>(one)}, {static_cast<std::int32_t>(other)}, *pass});
             }
         }
     }
 
     const Frame& frame_;
-    std::vector<std::vector<PassRange>> live_;
+    std::vector<std::vector<PixelRegion>> needed_;
     std::int32_t width_, step_;
     std::vector<Group> groups_;
 };

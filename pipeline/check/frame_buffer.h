@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Places in a frame buffer of a fixed width, which has colour and depth for each pixel: a colour target and its depth target
-// lie at the same pixels, and what is not needed at one time may lie at one place.
+// lie at the same pixels, and targets may lie at one place if no pixel is needed for two of them at one time.
 #pragma once
 
 #include <optional>

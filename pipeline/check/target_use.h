@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the passes of a frame do with its targets, and from when to when a target's pixels are needed.
+// What the passes of a frame do with its targets.
 #pragma once
 
 #include <vector>
@@ -38,17 +38,5 @@ struct TargetUse {
     bool drawn = false, copied_to = false, read = false;
 };
 std::vector<TargetUse> target_uses(const Frame& frame);
-
-// Passes by number, both included. The picture is needed to the end, frame.passes.size().
-struct PassRange {
-    std::size_t first = 0, last = 0;
-};
-inline bool overlap(const PassRange& a, const PassRange& b) {
-    return a.first <= b.last && b.first <= a.last;
-}
-
-// For each target when its pixels are needed: from a pass that clears all of it, or the first that uses it, to the last
-// that uses it before the next such clear.
-std::vector<std::vector<PassRange>> live_ranges(const Frame& frame);
 
 }  // namespace pipeline

@@ -114,7 +114,9 @@ std::vector<DrawWork> shapes(const Frame& frame, const Pass& pass, const PixelRe
             work.fragments    = area(work.covered);
             shares.rectangles += work.fragments;
         } else {
-            work.triangles = std::get<DrawTriangles>(draw).index_count;
+            const auto* triangles = std::get_if<DrawTriangles>(&draw);
+            work.triangles =
+                triangles != nullptr ? triangles->index_count : std::get<DrawWindowTriangles>(draw).index_count;
             shares.indices += work.triangles;
         }
     }

@@ -21,6 +21,7 @@ void use_if_valid(Frame& frame, Rule Arithmetic::*rule, Rule of_chip) {
 
 Frame use_chip_arithmetic(Frame frame, const Profile& profile, RewriteNotes& notes) {
     const Arithmetic before = frame.arithmetic, &chip = profile.arithmetic;
+    frame.arithmetic.vertex_depth = chip.vertex_depth;
     frame.arithmetic.gouraud      = chip.gouraud;
     frame.arithmetic.filter       = chip.filter;
     frame.arithmetic.fog          = chip.fog;

@@ -15,14 +15,19 @@ class DrawnAlpha {
         is_known_ = stage_count(pass.state) == 0 && !pass.state.lighting.enabled;
         for (const Draw& draw : pass.draws) {
             if (const auto* rectangle = std::get_if<DrawRectangle>(&draw)) add(rectangle->color);
-            if (const auto* triangles = std::get_if<DrawTriangles>(&draw))
-                for (std::uint32_t i = 0; i < triangles->index_count && is_known_; ++i)
-                    add(frame.vertices[frame.indices[triangles->first_index + i]].diffuse);
+            if (const auto* triangles = std::get_if<DrawTriangles>(&draw)) add(frame, *triangles, frame.vertices);
+            if (const auto* triangles = std::get_if<DrawWindowTriangles>(&draw))
+                add(frame, *triangles, frame.window_vertices);
         }
     }
     bool is(std::uint32_t alpha) const { return is_known_ && alpha_ == alpha; }
 
   private:
+    template <class Triangles, class AnyVertex>
+    void add(const Frame& frame, const Triangles& draw, const std::vector<AnyVertex>& vertices) {
+        for (std::uint32_t i = 0; i < draw.index_count && is_known_; ++i)
+            add(vertices[frame.indices[draw.first_index + i]].diffuse);
+    }
     void add(Argb color) {
         const std::uint32_t alpha = color.value >> 24;
         is_known_                 = is_known_ && alpha_.value_or(alpha) == alpha;

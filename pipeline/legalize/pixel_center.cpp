@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/legalize/pixel_center.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/check/chip_findings.h"
@@ -47,6 +48,15 @@ void move_rectangle(const Move& move, DrawRectangle& draw) {
     move_axis(move, draw.y0, draw.y1, draw.uv, &UvRect::v0, &UvRect::v1);
 }
 
+void move_vertices(Frame& frame, double by_px) {
+    constexpr auto kLimit = static_cast<float>(kMaxWindowCoordinate);
+    const auto by         = static_cast<float>(by_px);
+    for (WindowVertex& vertex : frame.window_vertices) {
+        vertex.x = std::clamp(vertex.x + by, -kLimit, kLimit);
+        vertex.y = std::clamp(vertex.y + by, -kLimit, kLimit);
+    }
+}
+
 WindowMap map_of(const PixelRect& viewport, double by_px) {
     return {.shift_x = 2.0 * by_px / (viewport.x1 - viewport.x0),
             .shift_y = -2.0 * by_px / (viewport.y1 - viewport.y0)};
@@ -66,11 +76,13 @@ Frame move_to_pixel_centers(Frame frame, const Profile& profile, RewriteNotes& n
     const double by_px = move.by_q4 / kSubpixels + rounding_px(before.snap, chip.snap);
     std::vector<std::optional<WindowMap>> maps;
     for (Pass& pass : frame.passes) {
-        maps.push_back(draws_triangles(pass) ? std::optional(map_of(viewport_of(frame, pass), by_px)) : std::nullopt);
+        maps.push_back(pass.camera && draws_triangles(pass) ? std::optional(map_of(viewport_of(frame, pass), by_px))
+                                                            : std::nullopt);
         for (Draw& draw : pass.draws)
             if (auto* rectangle = std::get_if<DrawRectangle>(&draw)) move_rectangle(move, *rectangle);
     }
     move_triangles(frame, maps);
+    move_vertices(frame, by_px);
     frame.arithmetic.pixel_center = chip.pixel_center;
     frame.arithmetic.snap         = chip.snap;
     notes.push_back(

@@ -5,6 +5,7 @@
 
 #include "pipeline/check/chip_findings.h"
 #include "pipeline/check/target_use.h"
+#include "pipeline/legalize/vertex_changes.h"
 
 namespace pipeline {
 
@@ -69,6 +70,14 @@ class Reversal {
 
     bool is_reversed(const Pass& pass) const { return pass.depth && targets_[index_of(pass.depth)]; }
 
+    void reverse_vertices() {
+        const VertexChange keep, change{{}, [](WindowVertex&vertex) { vertex.z = 1.0f - vertex.z; }};
+        std::vector<ChangedDraw> draws;
+        for (Pass& pass : frame_.passes)
+            for (Draw& draw : pass.draws) draws.push_back({&draw, is_reversed(pass) ? std::size_t{1} : std::size_t{0}});
+        change_vertices(frame_, draws, std::array{keep, change});
+    }
+
     void reverse(Pass& pass) {
         pass.state.depth.func = reversed(pass.state.depth.func);
         if (pass.clear.depth) pass.clear.depth = 1.0f - *pass.clear.depth;
@@ -129,6 +138,7 @@ Frame rewrite_reversed_depth(Frame frame, const Profile& profile, RewriteNotes& 
             notes.push_back({"reversed_depth", Place("target", i, frame.targets[i].name).text(),
                              "the chip compares depth with " + names_of(funcs), "depth 1 - d, compared the other way"});
     Reversal reversal(frame, targets);
+    reversal.reverse_vertices();
     for (Pass& pass : frame.passes)
         if (reversal.is_reversed(pass)) reversal.reverse(pass);
     auto starts = reversal.starts();

@@ -2,9 +2,11 @@
 #include "pipeline/legalize/stages.h"
 
 #include <map>
+#include <tuple>
 
 #include "pipeline/check/chip_findings.h"
 #include "pipeline/check/target_use.h"
+#include "pipeline/legalize/vertex_changes.h"
 
 namespace pipeline {
 
@@ -51,12 +53,6 @@ bool can_split(const Frame& frame, const Pass& pass) {
            multiplies_current(state.stages[1]) && state.blend == kReplace && state.gs_blend == GsBlend{} &&
            state.depth.write && func_with_equal(state.depth.func) && state.alpha_test.func == CompareFunc::Always &&
            state.dest_alpha_test == DestAlphaTest::Off && !state.lighting.specular_enable;
-}
-
-TextureBindings* bindings_of(Draw& draw) {
-    if (auto* triangles = std::get_if<DrawTriangles>(&draw)) return &triangles->textures;
-    if (auto* rectangle = std::get_if<DrawRectangle>(&draw)) return &rectangle->textures;
-    return nullptr;
 }
 
 // The same pixels once more, with nothing but depth compared and no alpha written.
@@ -153,19 +149,26 @@ class Splitter {
             return is_among(BlendFactor::SourceColor, profile_.states.dest_factors) &&
                    (!is_twice(pass.state) || is_among(BlendFactor::DestColor, profile_.states.source_factors));
         const bool fades_later = has_fog(pass.state) && !fades_first(pass.state);
-        return !fades_later && std::none_of(pass.draws.begin(), pass.draws.end(),
-                                            [](const Draw& draw) { return bool(textures_of(draw)[1].target); });
+        return (!fades_later || is_in_window(pass)) &&
+               std::none_of(pass.draws.begin(), pass.draws.end(),
+                            [](const Draw& draw) { return bool(textures_of(draw)[1].target); });
     }
 
     std::vector<Pass> split(const Pass& pass) {
         std::vector<Pass> passes{first_pass(pass)};
+        if (is_gs() && is_in_window(pass)) passes[0].state.fog = {};
         if (is_gs())
             multiply_by_alpha(pass, passes);
         else
-            passes.push_back(texture_pass(
+            passes.push_back(second_texture_pass(
                 pass, "second texture",
                 {is_twice(pass.state) ? BlendFactor::DestColor : BlendFactor::Zero, BlendFactor::SourceColor}));
-        if (has_fog(pass.state)) add_fog(pass, passes);
+        if (has_fog(pass.state)) {
+            if (is_gs() && is_in_window(pass))
+                passes.push_back(fog_pass(pass));
+            else
+                add_fog(pass, passes);
+        }
         return passes;
     }
 
@@ -174,7 +177,39 @@ class Splitter {
     static constexpr BlendState kByAlpha{.source = BlendFactor::Zero, .dest = BlendFactor::SourceAlpha};
     static constexpr BlendState kByOneMore{.source = BlendFactor::DestColor, .dest = BlendFactor::One};
 
+    static bool is_in_window(const Pass& pass) {
+        const auto draws = [&]<class Kind>(std::type_identity<Kind>) {
+            return std::any_of(pass.draws.begin(), pass.draws.end(),
+                               [](const Draw& draw) { return std::holds_alternative<Kind>(draw); });
+        };
+        return draws(std::type_identity<DrawWindowTriangles>{}) && !draws(std::type_identity<DrawTriangles>{});
+    }
+
     bool is_gs() const { return profile_.arithmetic.blend == BlendRule::GsShift7; }
+
+    // Its colour, as much as the vertices' factors leave: no rectangle has any.
+    Pass fog_pass(const Pass& pass) {
+        Pass later = later_pass(pass, "fog", kAlphaOver);
+        std::erase_if(later.draws, [](const Draw& draw) { return std::holds_alternative<DrawRectangle>(draw); });
+        const std::uint32_t color = pass.state.fog.color.value & 0x00ffffff;
+        change_window_vertices(later, "fog" + text_of(pass.state.fog.color), [color](WindowVertex& vertex) {
+            vertex.diffuse  = {color | (~vertex.specular.value & 0xff000000)};
+            vertex.specular = {0xff000000};
+        });
+        return later;
+    }
+
+    // Draws of a pass get vertices of their own, changed; passes of one geometry and the same `what` share them.
+    template <class Change>
+    void change_window_vertices(Pass& pass, const std::string& what, Change change) {
+        for (Draw& draw : pass.draws) {
+            auto* triangles = std::get_if<DrawWindowTriangles>(&draw);
+            if (triangles == nullptr) continue;
+            const auto [found, is_new] = changed_.insert({{triangles->first_index, triangles->index_count, what}, 0});
+            if (is_new) found->second = append_changed(frame_, *triangles, change);
+            triangles->first_index = found->second;
+        }
+    }
 
     static void add_fog(const Pass& pass, std::vector<Pass>& passes) {
         if (!fades_first(pass.state))
@@ -201,8 +236,14 @@ class Splitter {
         if (is_twice(pass.state)) passes.push_back(constant_pass(pass, "twice", kByOneMore, {0xffffffff}));
     }
 
+    Pass second_texture_pass(const Pass& pass, std::string_view what, const BlendState& blend) {
+        Pass later = texture_pass(pass, what, blend);
+        change_window_vertices(later, "second", [](WindowVertex& vertex) { vertex.uv0 = vertex.uv1; });
+        return later;
+    }
+
     Pass channel_pass(const Pass& pass, std::string_view what, std::size_t channel) {
-        Pass later = texture_pass(pass, what, kByAlpha);
+        Pass later = second_texture_pass(pass, what, kByAlpha);
         for (Draw& draw : later.draws) {
             TextureId& texture = (*bindings_of(draw))[0].texture;
             if (texture) texture = as_alpha(texture, channel);
@@ -229,6 +270,7 @@ class Splitter {
     Frame& frame_;
     const Profile& profile_;
     std::map<std::pair<std::int32_t, std::size_t>, TextureId> channels_;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, std::string>, std::uint32_t> changed_;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include "pipeline/check/chip_findings.h"
 #include "pipeline/check/target_use.h"
-#include "pipeline/legalize/vertex_colors.h"
+#include "pipeline/legalize/vertex_changes.h"
 
 namespace pipeline {
 
@@ -108,10 +108,10 @@ class Kinds {
         constants_.push_back(constant);
         return constants_.size() - 1;
     }
-    std::vector<Recolor> recolors() const {
-        std::vector<Recolor> all;
+    std::vector<VertexChange> changes() const {
+        std::vector<VertexChange> all;
         for (const Constant& constant : constants_)
-            all.push_back([constant](Vertex& vertex) { vertex.diffuse = constant.in(vertex.diffuse); });
+            all.push_back(change_of_diffuse([constant](Argb diffuse) { return constant.in(diffuse); }));
         return all;
     }
 
@@ -124,12 +124,12 @@ class Kinds {
 Frame rewrite_vertex_constants(Frame frame, const Profile& profile, RewriteNotes& notes) {
     const bool white_is_one = frame.arithmetic.combine != CombineRule::GsShift7;
     Kinds kinds;
-    std::vector<DrawColors> colors;
+    std::vector<ChangedDraw> changed;
     for (std::size_t i = 0; i < frame.passes.size(); ++i) {
         Pass& pass              = frame.passes[i];
         const Constant constant = draws(pass) ? rewrite_state(pass.state, profile, white_is_one) : Constant{};
         for (Draw& draw : pass.draws) {
-            if (auto* triangles = std::get_if<DrawTriangles>(&draw)) colors.push_back({triangles, kinds.of(constant)});
+            changed.push_back({&draw, kinds.of(constant)});
             if (auto* rectangle = std::get_if<DrawRectangle>(&draw)) rectangle->color = constant.in(rectangle->color);
         }
         if (constant.channels != 0)
@@ -138,7 +138,7 @@ Frame rewrite_vertex_constants(Frame frame, const Profile& profile, RewriteNotes
                  "the chip's stages read no constant, and DECAL has no product for alpha",
                  "vertices' colours are " + text_of(Argb{constant.color}) + " in " + text_of(Argb{constant.channels})});
     }
-    recolor_vertices(frame, colors, kinds.recolors());
+    change_vertices(frame, changed, kinds.changes());
     return frame;
 }
 

@@ -73,4 +73,11 @@ std::string place_of(const Frame& frame, std::size_t pass) {
     return Place("pass", pass, frame.passes[pass].label).text();
 }
 
+bool covers(const Frame& frame, const Pass& pass, const PixelRect& area) {
+    const auto* draw = pass.draws.size() == 1 ? std::get_if<DrawRectangle>(&pass.draws[0]) : nullptr;
+    if (draw == nullptr || uses_depth(pass) || !contains(limit_of(frame, pass), area)) return false;
+    return draw->x0 <= static_cast<float>(area.x0) && draw->y0 <= static_cast<float>(area.y0) &&
+           draw->x1 >= static_cast<float>(area.x1) && draw->y1 >= static_cast<float>(area.y1);
+}
+
 }  // namespace pipeline

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/check/needed_pixels.h"
 #include "pipeline/frame/frame.h"
 
 namespace pipeline {
@@ -23,6 +24,9 @@ void move_triangles(Frame& frame, const std::vector<std::optional<WindowMap>>& m
 
 // The pass's viewport, with pixels for "the whole target". The pass is valid.
 PixelRect viewport_of(const Frame& frame, const Pass& pass);
+
+// Does a pass draw one rectangle, without a depth test, that holds all of the area?
+bool covers(const Frame& frame, const Pass& pass, const PixelRect& area);
 
 // "pass 3 'composite'"
 std::string place_of(const Frame& frame, std::size_t pass);

@@ -24,7 +24,6 @@ Profile make_dx7() {
         // A target that is read as a texture keeps to the rules for textures.
         .limits     = {.texture_width     = 2048,
                        .texture_height    = 2048,
-                       .powers_of_two     = true,
                        .memory            = 32u << 20,
                        .pitch_alignment   = 64,
                        .address_alignment = 64},
@@ -42,6 +41,8 @@ Profile make_dx7() {
                  "DirectX 5, 6 and 7 SDK help and MSDN Library April 2000, \"Triangle Rasterization Rules\": centres "
                  "at integer coordinates, top-left rule",
                  Grade::Document, "The help adds that the rule does not apply to all hardware"},
+                {"vertex_depth", "chosen: finer than the depth buffer", Grade::Chosen,
+                 "D3DTLVERTEX holds a float; no source for what a chip keeps of it"},
                 {"gouraud", "chosen: to nearest, as Direct3D 10's data conversion rules have it for a store",
                  Grade::Chosen,
                  "No source for the rounding of an interpolated colour. That it starts from bytes at the vertices is "
@@ -96,12 +97,12 @@ Profile make_dx7() {
                 {"lod", "chosen: from the texels that a pixel spans, its logarithm linear between powers of two",
                  Grade::Chosen, "No source for the level of detail of NV10, NV15 or R100"},
                 {"limits",
-                 "2048 texels: Mesa 7.10, NV10's 12 texture levels; powers of two: DirectX 7 SDK help, "
-                 "D3DPTEXTURECAPS; A8 as (0, 0, 0, A), L8 as (L, L, L, 1): Wine 9.0, wined3d",
+                 "2048 texels: Mesa 7.10, NV10's 12 texture levels; sizes that are no powers of two, clamped and without "
+                 "mip levels: NVIDIA, NV_texture_rectangle, Release 10 drivers; A8 as (0, 0, 0, A), L8 as (L, L, L, 1): Wine 9.0, wined3d",
                  Grade::Document,
-                 "The largest target is not known. Cards with D3DPTEXTURECAPS_NONPOW2CONDITIONAL take other sizes, "
-                 "clamped and without mip levels; the Windows logo asked for 1024. That A8 reads black is not "
-                 "confirmed for every chip"},
+                 "The largest target is not known. Direct3D's flag for such sizes is D3DPTEXTURECAPS_NONPOW2CONDITIONAL; "
+                 "which drivers set it is not known, and without it a target that is read needs powers of two. The "
+                 "Windows logo asked for 1024 texels. That A8 reads black is not confirmed for every chip"},
                 {"memory",
                  "32 MB, the least of the boards with a GeForce 256 (tecchannel, guru3d); rows at multiples of 64 "
                  "bytes: Mesa, nouveau_surface.c, the pitch of linear surfaces",

@@ -14,6 +14,17 @@ std::string_view formula(SnapRule rule) {
     return {};
 }
 
+std::string_view formula(VertexDepth rule) {
+    switch (rule) {
+        case VertexDepth::Fine:
+            return "z * (2^30 - 1) rounded to the nearest integer at each vertex; what is interpolated is shifted right "
+                   "to the bits of the depth buffer";
+        case VertexDepth::WholeUnits:
+            return "as FINE, but at each vertex the bits that the depth buffer has not are zero";
+    }
+    return {};
+}
+
 std::string_view formula(GouraudRule rule) {
     switch (rule) {
         case GouraudRule::Nearest:

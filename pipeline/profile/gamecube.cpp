@@ -59,6 +59,7 @@ Profile make_gamecube() {
                  "gxtest/rasterization.cpp, measures a border between 0.58329772949 and 0.58332824707 pixel",
                  Grade::Emulators,
                  "Coordinates rounded to 1/16 put that border at 9.5/16 = 0.59375, not at the console's 7/12"},
+                {"vertex_depth", "chosen: finer than the depth buffer", Grade::Chosen, "No source"},
                 {"gouraud", "chosen: to nearest", Grade::Chosen,
                  "No source. Dolphin evaluates colours at +0.495 pixel, in floats"},
                 {"filter",

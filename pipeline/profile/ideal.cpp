@@ -23,6 +23,7 @@ Profile make_ideal() {
             {
                 {"snap", "by definition: window coordinates to the nearest 1/16 pixel", Grade::Chosen, ""},
                 {"pixel_center", "by definition: a pixel is sampled in its middle", Grade::Chosen, ""},
+                {"vertex_depth", "by definition: finer than the depth buffer", Grade::Chosen, ""},
                 {"gouraud", kExact, Grade::Chosen, ""},
                 {"filter", kExact, Grade::Chosen, ""},
                 {"combine", kExact, Grade::Chosen, ""},

@@ -81,6 +81,7 @@ struct ChipStates {
     bool dest_alpha_test                    = true;
     std::vector<AlphaFail> alpha_fails      = all_of<AlphaFail>();
     bool scissor                            = true;
+    bool transforms                         = true;  // and lights: triangles need not be in window space
     bool culling                            = true;
     FlatVertex flat                         = FlatVertex::First;
     bool specular_addition                  = true;
@@ -104,7 +105,6 @@ struct EnumNames<MemoryLayout> {
 struct ChipLimits {
     std::vector<TextureFormat> texture_formats = all_of<TextureFormat>();
     std::int32_t texture_width = 0, texture_height = 0;  // largest texture, and largest target that is read as one
-    bool powers_of_two        = false;                   // of both
     std::int32_t target_width = 0, target_height = 0;    // largest target that is drawn to
     // The one memory that is drawn to, if there is such: depth lies at the same places, and copies read nothing else.
     std::int32_t frame_buffer_width = 0, frame_buffer_height = 0;
@@ -140,6 +140,7 @@ const Evidence* find_evidence(const Profile& profile, std::string_view topic);
 
 // The formula of a rule in words that a reader can program from.
 std::string_view formula(SnapRule rule);
+std::string_view formula(VertexDepth rule);
 std::string_view formula(GouraudRule rule);
 std::string_view formula(FilterRule rule);
 std::string_view formula(CombineRule rule);

@@ -12,6 +12,7 @@ Profile make_ps2() {
         .chip       = "Sony Graphics Synthesizer (PlayStation 2)",
         .arithmetic = {.snap         = SnapRule::Truncate,
                        .pixel_center = 0,
+                       .vertex_depth = VertexDepth::WholeUnits,
                        .gouraud      = GouraudRule::Floor,
                        .filter       = FilterRule::GsFloor4,
                        .combine      = CombineRule::GsShift7,
@@ -32,6 +33,7 @@ Profile make_ps2() {
                        .source_factors    = {BlendFactor::One},
                        .dest_factors      = {BlendFactor::Zero},
                        .dithers           = {DitherMode::None, DitherMode::GsDimx},
+                       .transforms        = false,
                        .culling           = false,
                        .flat              = FlatVertex::Last,
                        .specular_addition = false,
@@ -56,6 +58,8 @@ Profile make_ps2() {
                  "jbit.net, \"Pixel Perfect Sprites on the PS2\", captures of a real GS: pixel centres at integers, "
                  "texel centres at halves",
                  Grade::Measured, ""},
+                {"vertex_depth", "ps2tek, registers XYZ2 and XYZF2: Z is an integer, of 32 and of 24 bits",
+                 Grade::Document, ""},
                 {"gouraud",
                  "parallel-gs (Arntzen-Software/parallel-gs), gs/shaders: \"seems to require a floor\"; PCSX2, "
                  "GSDrawScanline.cpp, steps 8.7 numbers and cuts",
@@ -118,8 +122,8 @@ Profile make_ps2() {
                  "What the chip does with another pair of colour and depth is being tested (#14698). PSMCT16S and "
                  "Z16S are not modelled; they hold the same bits elsewhere"},
                 {"states",
-                 "ps2tek, registers ALPHA, TEST, FRAME (FBMSK masks bits), SCISSOR; PCSX2, GSRegs.h. The chip culls "
-                 "nothing and adds no second colour",
+                 "ps2tek, registers ALPHA, TEST, FRAME (FBMSK masks bits), SCISSOR; PCSX2, GSRegs.h. The chip takes "
+                 "triangles in window space, culls nothing and adds no second colour",
                  Grade::Emulators,
                  "FBMSK can mask single bits of a channel, and is not modelled so far; antialiased edges (AA1) are "
                  "not either"},

@@ -37,6 +37,7 @@ Profile make_xbox() {
                 {"pixel_center", "captures of Texture_LOD_Bias: samples at the middle of pixels", Grade::Fitted,
                  "Xbox Direct3D 8 adds 0.53125 to the viewport, and so has centres at integers, rounded "
                  "(abaire/pbkitplusplus)"},
+                {"vertex_depth", "chosen: finer than the depth buffer", Grade::Chosen, "No source"},
                 {"gouraud", "chosen: to nearest", Grade::Chosen,
                  "Two points are known: 0.1 and 0.7 are stored as 25 and 178, that is cut, or ties down"},
                 {"filter",

@@ -32,7 +32,7 @@ targets [ "picture" { width 8 height 4 } ]
 passes [ "blend" { color "picture" state { blend { source SRCALPHA dest INVSRCALPHA } } } ]
 )",
                   R"(
-arithmetic { gouraud FLOOR filter GS_FLOOR4 fog GS_FLOOR256 }
+arithmetic { vertex_depth WHOLE_UNITS gouraud FLOOR filter GS_FLOOR4 fog GS_FLOOR256 }
 targets [ "picture" { width 8 height 4 } ]
 passes [ "blend" { color "picture" state { blend { source SRCALPHA dest INVSRCALPHA } } } ]
 )");
@@ -41,7 +41,7 @@ targets [ "picture" { width 8 height 4 } ]
 passes [ "subtract" { color "picture" state { stages [{ color_op SUBTRACT alpha_op SUBTRACT }] } } ]
 )",
                   R"(
-arithmetic { gouraud FLOOR filter GS_FLOOR4 fog GS_FLOOR256 }
+arithmetic { vertex_depth WHOLE_UNITS gouraud FLOOR filter GS_FLOOR4 fog GS_FLOOR256 }
 targets [ "picture" { width 8 height 4 } ]
 passes [ "subtract" { color "picture" state { stages [{ color_op SUBTRACT alpha_op SUBTRACT }] } } ]
 )");

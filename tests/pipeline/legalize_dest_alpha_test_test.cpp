@@ -128,3 +128,117 @@ TEST_CASE("a test of alpha that is not known to be 0 or 255, or of more than one
     });
     CHECK(rewritten(masked_layer(), &test_by_blending, "ps2") == masked_layer());
 }
+
+TEST_CASE("where alpha costs bits, what is tested becomes a texture that multiplies the layer's alpha") {
+    check_rewrite(&test_by_texture, "gamecube", R"(
+targets [ "picture" { width 8 height 8 } "depth" { format D24 width 8 height 8 } ]
+passes [
+    "nowhere" {
+        color "picture" state { color_mask { red false green false blue false } scissor { x1 6 y1 4 } }
+        draws [ rectangle { x1 8 y1 8 color 0x00000000 } ]
+    }
+    "behind" {
+        color "picture" depth "depth"
+        state { color_mask { red false green false blue false } depth { func LESSEQUAL } }
+        draws [ rectangle { x0 2 y0 2 x1 8 y1 8 depth 0.5 } ]
+    }
+    "layer" {
+        color "picture"
+        state {
+            blend { source SRCALPHA dest INVSRCALPHA }
+            color_mask { alpha false }
+            dest_alpha_test ONE
+            scissor { x1 6 y1 4 }
+        }
+        draws [ rectangle { x1 16 y1 4 color 0x80ffffff } ]
+    }
+]
+)",
+                  R"(
+targets [ "picture" { width 8 height 8 } "depth" { format D24 width 8 height 8 } "picture, mask" { width 8 height 8 } ]
+passes [
+    "nowhere" {
+        color "picture, mask" state { scissor { x1 6 y1 4 } }
+        draws [ rectangle { x1 8 y1 8 color 0x00000000 } ]
+    }
+    "behind" {
+        color "picture, mask" depth "depth"
+        state { depth { func LESSEQUAL } }
+        draws [ rectangle { x0 2 y0 2 x1 8 y1 8 depth 0.5 } ]
+    }
+    "layer" {
+        color "picture"
+        state {
+            blend { source SRCALPHA dest INVSRCALPHA }
+            color_mask { alpha false }
+            stages [
+                {
+                    color_op SELECTARG1
+                    color_arg1 { source CURRENT }
+                    alpha_op MODULATE
+                    alpha_arg1 { source CURRENT }
+                    alpha_arg2 { source TEXTURE }
+                    address_u CLAMP
+                    address_v CLAMP
+                }
+            ]
+            scissor { x1 6 y1 4 }
+        }
+        draws [
+            rectangle {
+                x1 16 y1 4 color 0x80ffffff
+                uv [ { u1 2 v1 0.5 } ] textures [ { target "picture, mask" } ]
+            }
+        ]
+    }
+]
+)");
+}
+
+TEST_CASE("a layer over a mask that is a texture gives the same colours, by the frame's rules and by the chip's") {
+    Frame frame       = masked_layer();
+    const Frame plain = rewritten(frame, &test_by_texture, "gamecube");
+    REQUIRE(plain.passes.size() == frame.passes.size());
+    CHECK(!is_found(plain, "gamecube", "dest_alpha_test"));
+    const auto same_colors = [](const Frame& a, const Frame& b) {
+        const std::vector<std::uint32_t> of_a = pixels_of(a), of_b = pixels_of(b);
+        return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                          [](std::uint32_t one, std::uint32_t other) { return ((one ^ other) & 0xffffff) == 0; });
+    };
+    CHECK(same_colors(plain, frame));
+    // Layers of no stage, and of one that is off by half a pixel.
+    frame.arithmetic = find_profile("gamecube")->arithmetic;
+    CHECK(same_colors(rewritten(frame, &test_by_texture, "gamecube"), frame));
+    frame.passes[3].state.stages[0] = {};
+    CHECK(same_colors(rewritten(frame, &test_by_texture, "gamecube"), frame));
+    auto& layer = std::get<DrawRectangle>(frame.passes[3].draws[0]);
+    layer.x0 = 3.5f, layer.y1 = 200.25f, layer.color = {0x5a336699};
+    CHECK(same_colors(rewritten(frame, &test_by_texture, "gamecube"), frame));
+}
+
+TEST_CASE("a mask stays in the target where another pass reads its alpha, and for chips with the test or whole bytes") {
+    for (const std::string_view chip : {"ideal", "dx7", "ps2", "xbox"})
+        CHECK(rewritten(masked_layer(), &test_by_texture, chip) == masked_layer());
+    const auto check_left = [](void (*change)(Frame&)) {
+        Frame frame = masked_layer();
+        change(frame);
+        CHECK(rewritten(frame, &test_by_texture, "gamecube") == frame);
+    };
+    check_left([](Frame& frame) { frame.passes[3].state.blend = {BlendFactor::One, BlendFactor::InvSourceAlpha}; });
+    check_left([](Frame& frame) { frame.passes[2].state.color_mask = {}; });
+    check_left([](Frame& frame) { frame.passes[3].state.stages[1] = kTextureOnly; });
+    check_left([](Frame& frame) {
+        Pass other               = frame.passes[0];
+        other.state.blend.source = BlendFactor::DestAlpha;
+        frame.passes.push_back(other);
+    });
+    check_left([](Frame& frame) {
+        Pass other                  = frame.passes[0];
+        other.state.dest_alpha_test = DestAlphaTest::One;
+        frame.passes.push_back(other);
+    });
+    // What a second layer tests is not made by masks alone.
+    Frame twice = masked_layer();
+    twice.passes.push_back(twice.passes[3]);
+    CHECK(rewritten(twice, &test_by_texture, "gamecube") == twice);
+}

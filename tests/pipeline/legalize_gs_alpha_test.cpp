@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "pipeline/frame/frame_text.h"
-#include "pipeline/legalize/vertex_colors.h"
+#include "pipeline/legalize/vertex_changes.h"
 #include "pipeline/validate/validate.h"
 #include "tests/support/small_frame.h"
 
@@ -125,8 +125,8 @@ TEST_CASE("gs_alpha: vertices that two kinds of draws share are doubled", "[lega
     check_rewrite(text("", "0xffff0000 0xff000000 0xff00ff00 0xff000000 0xff0000ff 0xff000000 0xffffffff 0xff000000 ",
                        "0 1 2 2 1 3", "3"),
                   text(kShift7,
-                       "0x80ff0000 0x80000000 0x8000ff00 0x80000000 0x800000ff 0x80000000 0x80808080 0x80000000 "
-                       "0x80000080 0x80000000 0x80008000 0x80000000 ",
+                       "0x80ff0000 0xff000000 0x8000ff00 0xff000000 0x800000ff 0xff000000 0x80808080 0xff000000 "
+                       "0x80000080 0xff000000 0x80008000 0xff000000 ",
                        "0 1 2 2 1 3 4 5 3", "6"));
 }
 
@@ -159,24 +159,8 @@ TEST_CASE("gs_alpha: nothing bound is a texel of one", "[legalize]") {
     const std::uint32_t before = test_support::color_on_both(frame);
     const Frame other          = rewritten(frame);
     CHECK(before == (op == TextureOp::Modulate ? 0xff80c0ff : 0xffffffff));
-    // 0x80 is 64.25 of 128, 0xc0 96.4.
-    CHECK(test_support::color_on_both(other) == (op == TextureOp::Modulate ? 0x80406080 : 0x80ffffff));
-}
-
-TEST_CASE("gs_alpha: what is multiplied and what is selected have a white each", "[legalize]") {
-    Frame frame             = test_support::small_frame(2, 2);
-    frame.targets[0].format = TargetFormat::Psmct32;
-    for (const TextureOp op : {TextureOp::Modulate, TextureOp::SelectArg1}) {
-        frame.passes.push_back(frame.passes[0]);
-        frame.passes.back().state.stages[0] = {.color_op = op, .alpha_op = op};
-        frame.passes.back().draws           = {test_support::rectangle({0, 0, 2, 2}, 0xffffffff)};
-    }
-    const Frame other = rewritten(frame);
-    REQUIRE(other.textures.size() == 2);
-    CHECK(other.textures[0].texels == std::vector<std::uint8_t>{0x80, 0x80, 0x80, 0x80});
-    CHECK(other.textures[1].texels == std::vector<std::uint8_t>{0xff, 0xff, 0xff, 0x80});
-    CHECK(textures_of(other.passes[1].draws[0])[0].texture == TextureId{0});
-    CHECK(textures_of(other.passes[2].draws[0])[0].texture == TextureId{1});
+    // 0x80 is 64 of 128, 0xc0 96: 255 * 64 >> 7 is 127.
+    CHECK(test_support::color_on_both(other) == (op == TextureOp::Modulate ? 0x807fbfff : 0x80ffffff));
 }
 
 TEST_CASE("gs_alpha: every product of a texel and a colour is off by 2 at most", "[legalize]") {
@@ -208,20 +192,31 @@ TEST_CASE("gs_alpha: every product of a texel and a colour is off by 2 at most",
     CHECK(brightest == 255);
 }
 
-TEST_CASE("vertex_colors: a vertex keeps its place for the first kind alone, and ranges are shared again",
+TEST_CASE("vertex_changes: a vertex keeps its place for the first kind alone, and ranges are shared again",
           "[legalize]") {
+    const bool is_window = GENERATE(false, true);
     Frame frame;
     frame.vertices.resize(3);
+    frame.window_vertices.resize(3);
     frame.indices = {0, 1, 2};
-    std::array<DrawTriangles, 4> draws;
-    for (DrawTriangles& draw : draws) draw.index_count = 3;
-    const std::array<Recolor, 2> kinds{[](Vertex& v) { v.diffuse.value -= 1; }, [](Vertex& v) { v.diffuse = {0}; }};
-    const std::array<DrawColors, 4> all{{{&draws[0], 0}, {&draws[1], 1}, {&draws[2], 0}, {&draws[3], 1}}};
-    recolor_vertices(frame, all, kinds);
+    std::array<Draw, 4> draws;
+    for (Draw& draw : draws)
+        draw = is_window ? Draw(DrawWindowTriangles{.index_count = 3}) : Draw(DrawTriangles{.index_count = 3});
+    const std::array<VertexChange, 2> kinds{change_of_diffuse([](Argb color) { return Argb{color.value - 1}; }),
+                                            change_of_diffuse([](Argb) { return Argb{0}; })};
+    const std::array<ChangedDraw, 4> all{{{&draws[0], 0}, {&draws[1], 1}, {&draws[2], 0}, {&draws[3], 1}}};
+    change_vertices(frame, all, kinds);
+    const auto diffuse = [&](std::size_t i) {
+        return is_window ? frame.window_vertices.at(i).diffuse : frame.vertices.at(i).diffuse;
+    };
+    const auto first_index = [&](std::size_t i) {
+        return is_window ? std::get<DrawWindowTriangles>(draws[i]).first_index
+                         : std::get<DrawTriangles>(draws[i]).first_index;
+    };
     CHECK(frame.indices == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
-    CHECK(frame.vertices[0].diffuse == Argb{0xfffffffe});
-    CHECK(frame.vertices[5].diffuse == Argb{0});
-    CHECK(draws[2].first_index == 0);
-    CHECK(draws[1].first_index == 3);
-    CHECK(draws[3].first_index == 3);
+    CHECK(diffuse(0) == Argb{0xfffffffe});
+    CHECK(diffuse(5) == Argb{0});
+    CHECK(first_index(2) == 0);
+    CHECK(first_index(1) == 3);
+    CHECK(first_index(3) == 3);
 }

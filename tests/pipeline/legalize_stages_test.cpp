@@ -8,6 +8,7 @@
 #include "pipeline/legalize/gs_blend.h"
 #include "pipeline/legalize/reversed_depth.h"
 #include "pipeline/legalize/vertex_constants.h"
+#include "pipeline/legalize/window_triangles.h"
 #include "pipeline/validate/validate.h"
 #include "tests/support/small_frame.h"
 
@@ -223,13 +224,15 @@ TEST_CASE("stages: passes give the picture of the stages", "[legalize]") {
 
 TEST_CASE("stages: with the other rewrites the Graphics Synthesizer draws it, but for roundings", "[legalize]") {
     const Profile& ps2          = *find_profile("ps2");
-    const auto [op, fog, bound] = GENERATE(table<TextureOp, bool, int>(
-        {{TextureOp::Modulate, false, 4}, {TextureOp::Modulate, true, 6}, {TextureOp::Modulate2X, false, 8}}));
+    const auto [op, fog, bound] = GENERATE(table<TextureOp, bool, int>({{TextureOp::Modulate, false, 4},
+                                                                        {TextureOp::Modulate, true, 6},
+                                                                        {TextureOp::Modulate2X, false, 8},
+                                                                        {TextureOp::Modulate2X, true, 9}}));
     const Frame before          = crossing_quads(op, fog);
     Frame frame                 = before;
     RewriteNotes notes;
-    for (const Rewrite rewrite :
-         {&rewrite_stages, &rewrite_vertex_constants, &rewrite_formats, &rewrite_gs_alpha, &rewrite_gs_blend}) {
+    for (const Rewrite rewrite : {&rewrite_window_triangles, &rewrite_stages, &rewrite_vertex_constants,
+                                  &rewrite_formats, &rewrite_gs_alpha, &rewrite_gs_blend}) {
         frame = rewrite(frame, ps2, notes);
         for (const Finding& finding : validate(frame)) FAIL_CHECK(finding.where << ": " << finding.what);
     }

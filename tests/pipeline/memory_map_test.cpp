@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "pipeline/check/target_use.h"
+#include "pipeline/check/needed_pixels.h"
 #include "tests/support/random_frame.h"
 
 using namespace pipeline;
@@ -243,7 +243,8 @@ Frame frame_of(const std::vector<Target>& targets, const std::vector<Step>& step
             pass.draws         = {CopyRectangle{.source = {step.copied}, .from = {0, 0, from.width, from.height}}};
         } else {
             pass.state.depth.write = step.depth >= 0;
-            pass.draws             = {DrawRectangle{.x1 = 1.0f, .y1 = 1.0f}};
+            pass.state.blend.dest  = BlendFactor::One;  // so that what was there is needed
+            pass.draws             = {DrawRectangle{.x1 = 1000.0f, .y1 = 1000.0f}};
         }
     }
     return frame;
@@ -327,36 +328,41 @@ TEST_CASE("frame buffer of the GameCube: depth of two kinds for one picture", "[
     CHECK(buffer_map(targets, {{.color = 0, .depth = 1}, {.color = 0, .depth = 2}}).clashes.empty());
 }
 
-TEST_CASE("live ranges", "[memory_map]") {
-    const std::vector<Target> targets{target(A8R8G8B8, 8, 8), target(A8R8G8B8, 8, 8), target(D24, 8, 8),
-                                      target(A8R8G8B8, 8, 8)};
-    Frame frame = frame_of(
-        targets, {{.color = 1, .depth = 2}, {.color = 0, .copied = 1}, {.color = 1, .clears = true}, {.color = 0}}, 0);
-    const auto text = [&] {
-        std::string out;
-        for (const std::vector<PassRange>& ranges : live_ranges(frame)) {
-            for (const PassRange& range : ranges)
-                out += std::to_string(range.first) + '-' + std::to_string(range.last) + ' ';
-            out += '|';
-        }
-        return out;
+TEST_CASE("frame buffer of the GameCube: targets share a place where no pixel is needed for both", "[memory_map]") {
+    // 0 is drawn; a part of it is saved to 2, the same part of 1 is drawn there, with the depth of 0, copied to 2 as well,
+    // and the part of 0 is brought back.
+    const std::vector<Target> targets{target(X8R8G8B8, 640, 480), target(R6G6B6A6, 640, 480),
+                                      target(A8R8G8B8, 640, 480), target(D24, 640, 480)};
+    Frame frame = frame_of(targets,
+                           {{.color = 0, .depth = 3},
+                            {.color = 2, .copied = 0},
+                            {.color = 1, .depth = 3},
+                            {.color = 2, .copied = 1},
+                            {.color = 0}},
+                           0);
+    const PixelRect part{8, 16, 40, 64};
+    const auto copy_part = [&](std::size_t pass) {
+        auto& copy = std::get<CopyRectangle>(frame.passes[pass].draws[0]);
+        copy.from = part, copy.x = part.x0, copy.y = part.y0;
     };
-    CHECK(text() == "1-4 |0-1 2-2 |0-0 ||");
-    // A clear of a part keeps the rest.
-    frame.passes[2].state.scissor = {0, 0, 8, 4};
-    CHECK(text() == "1-4 |0-2 |0-0 ||");
-    frame.passes[2].state.scissor  = {};
-    frame.passes[2].state.viewport = {4, 0, 8, 8};
-    CHECK(text() == "1-4 |0-2 |0-0 ||");
-    frame.passes[2].state.scissor  = {0, 0, 8, 8};
-    frame.passes[2].state.viewport = {0, 0, 8, 8};
-    CHECK(text() == "1-4 |0-1 2-2 |0-0 ||");
-    // Read as a texture.
-    auto& rectangle              = std::get<DrawRectangle>(frame.passes[3].draws[0]);
-    rectangle.textures[0].target = {3};
-    CHECK(text() == "1-4 |0-1 2-2 |0-0 ||");
-    frame.passes[3].state.stages[0].color_op = TextureOp::SelectArg1;
-    CHECK(text() == "1-4 |0-1 2-2 |0-0 |3-3 |");
+    copy_part(1);
+    copy_part(3);
+    frame.passes[2].state.scissor = part;
+    frame.passes[4].draws         = {DrawRectangle{.x0 = 8, .y0 = 16, .x1 = 40, .y1 = 64}};
+    frame.passes[4].state.blend   = kReplace;
+    const auto clashes            = [&] { return lay_out(frame, profile("gamecube")).clashes; };
+    CHECK(clashes().empty());
+    // A pixel more of 1 is a pixel less of the picture; so is one that is not brought back, or one that is blended over.
+    frame.passes[2].state.scissor = {8, 16, 41, 64};
+    REQUIRE(clashes().size() == 1);
+    CHECK(clashes()[0].pass == 2);
+    frame.passes[2].state.scissor = part;
+    CHECK(clashes().empty());
+    frame.passes[4].state.scissor = {8, 16, 40, 63};
+    CHECK(clashes().size() == 1);
+    frame.passes[4].state.scissor      = {};
+    frame.passes[4].state.blend.source = BlendFactor::SourceAlpha;
+    CHECK(clashes().size() == 1);
 }
 
 namespace {
@@ -401,23 +407,29 @@ TEST_CASE("no two blocks of a random frame meet", "[memory_map]") {
 
 TEST_CASE("no two targets of a random frame meet in a frame buffer while both are needed", "[memory_map]") {
     int shared = 0, clashes = 0;
-    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
         Frame frame = test_support::random_frame(seed);
         for (Target& one : frame.targets) one.format = is_depth(one.format) ? D24 : X8R8G8B8;
         INFO("seed " << seed);
         const MemoryMap map = lay_out(frame, profile("gamecube"));
-        const auto live     = live_ranges(frame);
         for (std::size_t i = 0; i < frame.targets.size(); ++i) {
+            const auto needed = [&](std::size_t target) {
+                return needed_pixels(frame, {static_cast<std::int32_t>(target)});
+            };
             for (std::size_t k = i + 1; k < frame.targets.size(); ++k) {
                 const auto is_this = [&](const MemoryClash& clash) {
                     return clash.one.index == static_cast<int>(i) && clash.other.index == static_cast<int>(k);
                 };
-                bool both_needed = false;
-                for (const PassRange& one : live[i])
-                    for (const PassRange& other : live[k]) both_needed = both_needed || overlap(one, other);
+                const std::vector<PixelRegion> one = needed(i), other = needed(k);
+                const Pixels here  = pixels_of(map.blocks[i], frame.targets[i]),
+                             there = pixels_of(map.blocks[k], frame.targets[k]);
+                bool both_needed   = false;
+                for (std::size_t pass = 0; pass < one.size(); ++pass)
+                    both_needed =
+                        both_needed || meet(one[pass], other[pass], static_cast<std::int32_t>(there.x0 - here.x0),
+                                            static_cast<std::int32_t>(there.y0 - here.y0));
                 const bool is_clash = std::any_of(map.clashes.begin(), map.clashes.end(), is_this);
-                const bool do_meet =
-                    meet(pixels_of(map.blocks[i], frame.targets[i]), pixels_of(map.blocks[k], frame.targets[k]));
+                const bool do_meet  = meet(here, there);
                 CHECK((do_meet && both_needed) == is_clash);
                 shared += do_meet && !both_needed;
                 clashes += is_clash;
