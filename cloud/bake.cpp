@@ -58,6 +58,7 @@ void check(const Cloud& cloud) {
     for (const std::optional<Turn>& turn : {cloud.box_turn, cloud.second_box_turn})
         require(!turn || std::abs(glm::dot(*turn, *turn) - 1.0f) < 1e-3f, cloud, "a turn must be of length 1");
     require(cloud.absorption >= 0.0f && cloud.absorption <= 1e3f, cloud, "absorption must be 0 to 1000");
+    require(cloud.silver_lining >= 0.0f && cloud.silver_lining <= 4.0f, cloud, "silver_lining must be 0 to 4");
     require(cloud.lumpiness >= 0.0f && cloud.lumpiness <= 0.5f, cloud, "lumpiness must be 0 to 0.5");
     const Fractal& f = cloud.fractal;
     require(f.face_size >= 1 && f.face_size <= 1024 && (f.face_size & (f.face_size - 1)) == 0, cloud,

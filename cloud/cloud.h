@@ -96,7 +96,8 @@ struct Cloud {
     float opacity = 1.0f;   // constant translucency of the composite
     float dissolve =
         0.0f;  // 0..1: Skirt with a fractal: taken from the blurred alpha before it acts; else all fades evenly
-    float absorption = 1.0f;  // of sunlight on its way through; 1 leaves a quarter behind a core's diameter
+    float absorption    = 1.0f;  // of sunlight on its way through; 1 leaves a quarter behind a core's diameter
+    float silver_lining = 0.0f;  // of the thin parts before the sun, over the sun's own light (silver_lining.h)
     Fractal fractal;
     float lumpiness    = 0.06f;  // greatest displacement of a particle's surface, over its radius
     float displacement = 1.2f;   // of Detail::Displacement: the greatest, in standard deviations of the blur

@@ -17,8 +17,8 @@ namespace {
 bool drawn_alike(const Cloud& a, const Cloud& b) {
     return a.mode == b.mode && a.detail == b.detail && a.order == b.order && a.base_y == b.base_y &&
            a.blur_m == b.blur_m && a.opacity == b.opacity && a.dissolve == b.dissolve && a.lumpiness == b.lumpiness &&
-           a.displacement == b.displacement && a.tint == b.tint && a.box_turn == b.box_turn &&
-           a.second_box_turn == b.second_box_turn;
+           a.displacement == b.displacement && a.silver_lining == b.silver_lining && a.tint == b.tint &&
+           a.box_turn == b.box_turn && a.second_box_turn == b.second_box_turn;
 }
 
 // Most particles first; equal ones by name and place.

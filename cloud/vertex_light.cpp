@@ -269,7 +269,7 @@ void light_particle(const Cloud& cloud, const Daylight& light, const Shadows& sh
         const float brightest = std::max({color.x, color.y, color.z});
         if (brightest > kBrightest) color *= kBrightest / brightest;
         color       = glm::max(color, Vec3(0.0f));
-        vertices[v] = {mesh.positions[v], normal, color, 0.5f * (with_floor(direct) + open[v])};
+        vertices[v] = {mesh.positions[v], normal, color, 0.5f * (with_floor(direct) + open[v]), direct};
     }
 }
 

@@ -16,12 +16,13 @@
 namespace cloud {
 
 // light: to multiply with the particle's colour. occlusion: 0..1, the share of all the light that arrives; for those
-// who light the particles by other means.
+// who light the particles by other means. sun: T, 0..1.
 struct LitVertex {
     Vec3 position   = Vec3(0.0f);
     Vec3 normal     = Vec3(0.0f, 1.0f, 0.0f);
     Vec3 light      = Vec3(1.0f);
     float occlusion = 1.0f;
+    float sun       = 1.0f;
 };
 
 // icosphere_vertices(kFinestLevel) vertices for each particle, in the cloud's order.

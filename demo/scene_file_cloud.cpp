@@ -177,6 +177,7 @@ CloudPlan read_cloud(TableReader reader) {
     reader.read("blur", cloud.blur_m, {0.0, 1000.0});
     reader.read("opacity", cloud.opacity, kShare);
     reader.read("absorption", cloud.absorption, {0.0, 100.0});
+    reader.read("silver_lining", cloud.silver_lining, kLight);
     reader.read("lumpiness", cloud.lumpiness, {0.0, 0.5});
     bool order_free = false;
     reader.read("order_free", order_free);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "cloud/particle_mesh.h"
+#include "cloud/silver_lining.h"
 
 namespace cloud {
 
@@ -75,6 +76,13 @@ bool inside_a_particle(const CloudDraw& draw, bool with_rim) {
     });
 }
 
+Vec3 seen_color(const CloudDraw& draw, const Particle& particle, const LitVertex& vertex) {
+    const Cloud& cloud = draw.baked.cloud;
+    const Vec3 color   = color_of(cloud, particle, vertex);
+    if (cloud.silver_lining <= 0.0f) return color;
+    return color + silver_lining(cloud, draw.baked.daylight, vertex, draw.view.eye) * particle.color;
+}
+
 // What the particles' target gets: grey, if one channel has to do.
 Vec3 stored_color(const CloudDraw& draw, Vec3 color) {
     const Cloud& cloud = draw.baked.cloud;
@@ -105,8 +113,7 @@ void append_particles(const CloudDraw& draw) {
     if (article) pass.state.lighting = daylight_state(draw.baked.daylight);
     pass.draws.push_back(
         append_spheres(draw, front_to_back(draw), 0, [&](const Particle& particle, const LitVertex& lit) {
-            const Cloud& cloud = draw.baked.cloud;
-            const Vec3 color   = article ? lit.occlusion * particle.color : color_of(cloud, particle, lit);
+            const Vec3 color = article ? lit.occlusion * particle.color : seen_color(draw, particle, lit);
             return Vertex{.position = lit.position,
                           .normal   = lit.normal,
                           .diffuse  = to_argb(stored_color(draw, color), particle.alpha)};
@@ -123,7 +130,7 @@ void append_skirt(const CloudDraw& draw) {
     pass.draws.push_back(append_spheres(draw, back_to_front, 1, [&](const Particle& particle, const LitVertex& lit) {
         return Vertex{.position = lit.position + lit.normal * rim_m(draw, particle),
                       .normal   = lit.normal,
-                      .diffuse  = to_argb(stored_color(draw, color_of(draw.baked.cloud, particle, lit)), 0.0f)};
+                      .diffuse  = to_argb(stored_color(draw, seen_color(draw, particle, lit)), 0.0f)};
     }));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "cloud/mega_particles/displacement.h"
 #include "cloud/mega_particles/draw_particles.h"
 #include "cloud/mega_particles/fractal_box.h"
+#include "cloud/mega_particles/share_passes.h"
 
 namespace cloud {
 
@@ -102,10 +104,29 @@ CloudTargets append_targets(Frame& frame, const View& view, int blur_levels, boo
     return targets;
 }
 
+// A whiteout lies over all of the picture. Displaced pixels are looked up beyond the halo, where those before have left
+// what they drew.
+PixelRect reach_of(const CloudDraw& draw) {
+    const Cloud& cloud = draw.baked.cloud;
+    const bool is_wide = cloud.detail == Detail::Displacement || whiteout(cloud, draw.view) > 0.0f;
+    return is_wide ? PixelRect{0, 0, draw.targets.width, draw.targets.height} : draw.halo;
+}
+
+// The cloud's passes apart from those of the frame.
+CloudPasses passes_of(const CloudDraw& draw) {
+    std::vector<Pass>& passes = draw.frame.passes;
+    const auto first          = static_cast<std::ptrdiff_t>(passes.size());
+    append_cloud(draw);
+    CloudPasses own{.name = draw.baked.cloud.name, .reach = reach_of(draw), .passes = {}};
+    own.passes.assign(std::move_iterator(passes.begin() + first), std::move_iterator(passes.end()));
+    passes.erase(passes.begin() + first, passes.end());
+    return own;
+}
+
 }  // namespace
 
 void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& view,
-                           std::span<const BakedCloud> clouds) {
+                           std::span<const BakedCloud> clouds, Passes passes) {
     struct Seen {
         const BakedCloud* baked;
         BlurPlan blur;
@@ -134,6 +155,7 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
     std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.nearest > b.nearest; });
     const CloudTargets targets = append_targets(frame, view, blur_levels, with_eroded);
     std::map<const FractalFaces*, FractalTextures> fractals;  // clouds may share theirs
+    std::vector<CloudPasses> apart;
     for (const Seen& cloud : seen) {
         const PixelRect halo = grow(cloud.bounds, 1 << cloud.blur.levels, targets.width, targets.height);
         FractalTextures fractal;
@@ -142,15 +164,20 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
             if (is_new) entry->second = append_fractal(frame, *cloud.baked);
             fractal = entry->second;
         }
-        append_cloud({frame, scene, view, *cloud.baked, targets, cloud.blur, cloud.bounds, halo, fractal});
+        const CloudDraw draw{frame, scene, view, *cloud.baked, targets, cloud.blur, cloud.bounds, halo, fractal};
+        if (passes == Passes::OneByOne)
+            append_cloud(draw);
+        else
+            apart.push_back(passes_of(draw));
     }
+    std::ranges::move(share_passes(frame, std::move(apart)), std::back_inserter(frame.passes));
 }
 
 void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& view, const Daylight& light,
-                           std::span<const Cloud> clouds) {
+                           std::span<const Cloud> clouds, Passes passes) {
     std::vector<BakedCloud> baked;
     for (const Cloud& cloud : clouds) baked.push_back(bake(cloud, light));
-    append_mega_particles(frame, scene, view, baked);
+    append_mega_particles(frame, scene, view, baked, passes);
 }
 
 }  // namespace cloud

@@ -3,6 +3,7 @@
 // written as passes of a frame. Read mega_particles.cpp: it is the technique on one screen.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "cloud/bake.h"
@@ -19,13 +20,17 @@ struct SceneTargets {
     pipeline::FogState fog;
 };
 
+// Shared: clouds that are apart in the picture have passes in common (share_passes.h); the picture is the same. OneByOne:
+// each has its own, for those who look at a cloud's passes.
+enum class Passes : std::uint8_t { Shared, OneByOne };
+
 // Appends the passes (with their targets, textures, vertices) that draw `clouds` over the scene, farthest first.
 // back_buffer, depth and view have one size.
 void append_mega_particles(pipeline::Frame& frame, const SceneTargets& scene, const View& view,
-                           std::span<const BakedCloud> clouds);
+                           std::span<const BakedCloud> clouds, Passes passes = Passes::Shared);
 
 // The same, baking each cloud first; an animation of the camera bakes once instead.
 void append_mega_particles(pipeline::Frame& frame, const SceneTargets& scene, const View& view, const Daylight& light,
-                           std::span<const Cloud> clouds);
+                           std::span<const Cloud> clouds, Passes passes = Passes::Shared);
 
 }  // namespace cloud

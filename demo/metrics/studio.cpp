@@ -114,7 +114,9 @@ const cloud::Particle& Studio::greatest_particle() const {
 }
 
 pipeline::Frame Studio::frame(const FrameOptions& options) const {
-    return scene_frame(scene_, options_.size, options_.frame, options);
+    FrameOptions apart  = options;
+    apart.shares_passes = false;  // what is measured are each cloud's passes
+    return scene_frame(scene_, options_.size, options_.frame, apart);
 }
 
 Plane Studio::coverage(FrameOptions options, const Change& change) {
