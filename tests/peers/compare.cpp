@@ -32,16 +32,6 @@ std::uint32_t each_channel(std::uint32_t a, std::uint32_t b, Choose&& choose) {
     return result;
 }
 
-// What is allowed at a pixel's neighbours, or at itself: another primitive than ours may be what the peer shows
-// there.
-int allowed_around(const std::vector<int>& allowed, const ColorImage& picture, int x, int y) {
-    int greatest = 0;
-    for (int j = std::max(0, y - 1); j <= std::min(picture.height - 1, y + 1); ++j)
-        for (int i = std::max(0, x - 1); i <= std::min(picture.width - 1, x + 1); ++i)
-            greatest = std::max(greatest, allowed[static_cast<std::size_t>(j * picture.width + i)]);
-    return greatest;
-}
-
 // A worse one replaces the worst so far; a failed one any that is within its bound.
 void consider(const Difference& difference, bool has_failed, Comparison& comparison) {
     const bool first_failure = has_failed && comparison.failed == 1;
@@ -128,10 +118,9 @@ Comparison compare(const ColorImage& ours, const ColorImage& peers, const Limits
     const Envelope envelope = limits.envelope();
     for (const std::size_t i : beyond) {
         const Difference difference = difference_at(i);
-        const int tolerance         = std::max(allowed_around(allowed, ours, difference.x, difference.y),
-                                               limits.with_perspective(difference.x, difference.y));
-        const bool moves            = envelope.changes(i) && envelope.contains(i, peers.pixels[i], tolerance);
-        const bool is_near          = difference.units <= limits.at_edge(difference.x, difference.y);
+        const bool moves =
+            envelope.changes(i) && envelope.contains(i, peers.pixels[i], limits.of_nudged(difference.x, difference.y));
+        const bool is_near = difference.units <= limits.at_edge(difference.x, difference.y);
         if (moves || is_near || limits.is_excused(difference.x, difference.y)) {
             ++result.edge;
         } else {

@@ -10,7 +10,8 @@
 //   centre of the pixel (an edge, the line where two surfaces meet, a texel) does pass over it under one of the
 //   nudges. Two of ours do not show at an edge: a fragment of almost no alpha, and what a thin triangle's colour changes by
 //   within a subpixel, as corners are moved by whole ones. There the peer's value must be as near as roundings and that
-//   change allow.
+//   change allow. An edge that a nudge brings over the centre is up to a whole nudge past it, and the peer's anywhere between:
+//   by what colours change by within that, the peer's value may be beyond least and greatest.
 // - What is known of the triangles there excuses it (pass_geometry.h): one is thinner than what snapping moves its
 //   vertices by, so that it may be seen in one picture only, or two are as near in depth, and nudges of the whole do not
 //   show it.
@@ -42,6 +43,7 @@ struct Limits {
     std::function<std::vector<int>()> by_rounding;      // for each pixel
     std::function<int(int x, int y)> with_perspective;  // at least by_rounding
     std::function<Envelope()> envelope;
+    std::function<int(int x, int y)> of_nudged;         // beyond the envelope; at least with_perspective
     std::function<int(int x, int y)> at_edge;           // 0 where no edge is near
     std::function<bool(int x, int y)> is_excused;
 };

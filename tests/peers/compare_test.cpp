@@ -22,6 +22,7 @@ Limits limits(const ColorImage& ours, int allowed) {
     return {.by_rounding      = [=] { return std::vector(ours.pixels.size(), allowed); },
             .with_perspective = [=](int, int) { return allowed; },
             .envelope         = [=] { return Envelope(ours); },
+            .of_nudged        = [=](int, int) { return allowed; },
             .at_edge          = [](int, int) { return 0; },
             .is_excused       = [](int, int) { return false; }};
 }
@@ -92,6 +93,20 @@ TEST_CASE("an edge pixel lies within what nudges show, widened by what is allowe
     CHECK(result.failed == 2);
     // Edge pixels do not count in the mean.
     CHECK(result.mean() == Approx((0x03 + 0x32) / 8.0));
+}
+
+TEST_CASE("what only a nudge shows has limits of its own, where nudges change the picture", "[peers]") {
+    // No fragment of ours is near, so that nothing is allowed by rounding.
+    const ColorImage ours = row({0x10, 0x10, 0x10, 0x10}), nudged = row({0x40, 0x40, 0x40, 0x10});
+    Limits with_edges    = limits(ours, 0);
+    with_edges.of_nudged = [](int x, int) { return x == 2 ? 5 : 1; };
+    with_edges.envelope  = [=] {
+        Envelope envelope(ours);
+        envelope.include(nudged);
+        return envelope;
+    };
+    CHECK(compare(ours, row({0x41, 0x0f, 0x45, 0x10}), with_edges).edge == 3);
+    CHECK(compare(ours, row({0x42, 0x0e, 0x46, 0x11}), with_edges).failed == 4);
 }
 
 TEST_CASE("a sliver excuses any value, but only where it is", "[peers]") {

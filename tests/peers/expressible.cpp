@@ -49,6 +49,15 @@ bool halves(const Draw& draw) {
     return copy != nullptr && copy->halve;
 }
 
+bool moves_channels(const Draw& draw) {
+    const auto* copy = std::get_if<CopyRectangle>(&draw);
+    return copy != nullptr && copy->channels != CopyChannels::All;
+}
+
+bool is_in_window(const Draw& draw) {
+    return std::holds_alternative<DrawWindowTriangles>(draw);
+}
+
 bool lights_by_singular_matrix(const Frame& frame, const Pass& pass, const Draw& draw) {
     const auto* triangles = std::get_if<DrawTriangles>(&draw);
     if (!pass.state.lighting.enabled || triangles == nullptr) return false;
@@ -110,6 +119,9 @@ constexpr Limit kLimits[] = {
     {"no texture projected from behind", projects_from_behind},
     {"no texture projected by a projective matrix", projects_by_projective_matrix},
     {"no copy that halves", [](const Frame&, const Pass& pass) { return any_draw(pass, halves); }},
+    {"no copy from one channel to another",
+     [](const Frame&, const Pass& pass) { return any_draw(pass, moves_channels); }},
+    {"no triangles in window space", [](const Frame&, const Pass& pass) { return any_draw(pass, is_in_window); }},
     {"no lighting by a matrix without inverse",
      [](const Frame& frame, const Pass& pass) {
          return any_draw(pass, [&](const Draw& draw) { return lights_by_singular_matrix(frame, pass, draw); });

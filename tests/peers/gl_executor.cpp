@@ -49,7 +49,8 @@ void GlExecutor::draw_pass(std::size_t index) {
                                   const bool snaps = given_ == WindowTriangles::Snapped;
                                   draw_rectangle(frame_, pass, snaps ? snapped(d) : d, memory_);
                               },
-                              [&](const CopyRectangle& d) { memory_.copy(d, pass.color); }},
+                              [&](const CopyRectangle& d) { memory_.copy(d, pass.color); },
+                              [](const DrawWindowTriangles&) {}},  // cannot be expressed
                    draw);
     check_errors();
 }

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <set>
 
+#include "raster/primitives.h"
+
 namespace peers {
 
 using namespace pipeline;
@@ -20,10 +22,7 @@ std::set<std::int32_t> color_targets_read(const Pass& pass) {
             read.insert(copy->source.index);
             continue;
         }
-        const TextureBindings& textures = std::holds_alternative<DrawTriangles>(draw)
-                                              ? std::get<DrawTriangles>(draw).textures
-                                              : std::get<DrawRectangle>(draw).textures;
-        for (const TextureBinding& binding : textures) read.insert(binding.target.index);
+        for (const TextureBinding& binding : textures_of(draw)) read.insert(binding.target.index);
     }
     read.erase(-1);
     return read;
@@ -32,13 +31,17 @@ std::set<std::int32_t> color_targets_read(const Pass& pass) {
 class Isolation {
   public:
     Isolation(const Frame& frame, const std::vector<TargetPictures>& before, const Nudge& nudge)
-        : frame_(frame), before_(before), nudge_(nudge) {
-        out_.arithmetic = frame.arithmetic;
-        out_.targets    = frame.targets;
-        out_.cameras    = frame.cameras;
-        out_.textures   = frame.textures;
-        out_.vertices   = frame.vertices;
-        out_.indices    = frame.indices;
+        : frame_(frame),
+          before_(before),
+          nudge_(nudge),
+          pixel_edge_(static_cast<float>(frame.arithmetic.pixel_center - raster::kSubpixels / 2) / raster::kSubpixels) {
+        out_.arithmetic      = frame.arithmetic;
+        out_.targets         = frame.targets;
+        out_.cameras         = frame.cameras;
+        out_.textures        = frame.textures;
+        out_.vertices        = frame.vertices;
+        out_.window_vertices = frame.window_vertices;
+        out_.indices         = frame.indices;
     }
 
     // With the passes that its depth comes from.
@@ -66,6 +69,17 @@ class Isolation {
         out_.passes.back() = std::move(black);
         out_.passes.push_back(std::move(counted));
         return out_.passes.back();
+    }
+
+    SteppedFrame take_all() {
+        SteppedFrame stepped;
+        for (std::size_t i = 0; i < frame_.passes.size(); ++i) {
+            add_alone(i);
+            stepped.places.push_back(out_.passes.size() - 1);
+        }
+        out_.output   = frame_.output;
+        stepped.frame = take();
+        return stepped;
     }
 
     Frame take() { return std::move(out_); }
@@ -97,8 +111,9 @@ class Isolation {
         out_.textures.push_back(std::move(texture));
 
         DrawRectangle blit;
-        blit.x1                  = static_cast<float>(picture.width);
-        blit.y1                  = static_cast<float>(picture.height);
+        blit.x0 = blit.y0        = pixel_edge_;
+        blit.x1                  = pixel_edge_ + static_cast<float>(picture.width);
+        blit.y1                  = pixel_edge_ + static_cast<float>(picture.height);
         blit.textures[0].texture = {static_cast<std::int32_t>(out_.textures.size()) - 1};
         Pass pass{.label  = "put back",
                   .color  = {target},
@@ -134,7 +149,7 @@ class Isolation {
             rectangle.uv[i].v0 += step.y;
             rectangle.uv[i].v1 += step.y;
         }
-        const auto is_whole = [](float x) { return x == std::floor(x); };
+        const auto is_whole = [&](float x) { return x - pixel_edge_ == std::floor(x - pixel_edge_); };
         if (is_whole(rectangle.x0) && is_whole(rectangle.x1) && is_whole(rectangle.y0) && is_whole(rectangle.y1))
             return;
         rectangle.x0 += nudge_.x;
@@ -172,10 +187,33 @@ class Isolation {
     const Frame& frame_;
     const std::vector<TargetPictures>& before_;
     Nudge nudge_;
+    float pixel_edge_;  // half way between the sample points of pixel 0 and the one before it
     Frame out_;
 };
 
 }  // namespace
+
+std::vector<TargetPictures> pictures_of(const Frame& frame) {
+    TargetPictures now;
+    for (const Target& target : frame.targets) {
+        const auto pixels        = static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
+        const std::uint32_t zero = target.format == TargetFormat::X8R8G8B8 ? 0xff000000 : 0;
+        now.push_back(is_depth(target.format) ? nullptr
+                                              : std::make_shared<const ColorImage>(ColorImage{
+                                                    target.width, target.height, std::vector(pixels, zero)}));
+    }
+    std::vector<TargetPictures> pictures{now};
+    execute(frame, {}, [&](const FinishedPass& finished) {
+        if (const TargetId color = finished.pass.color)
+            now[static_cast<std::size_t>(color.index)] = std::make_shared<const ColorImage>(finished.read_color());
+        pictures.push_back(now);
+    });
+    return pictures;
+}
+
+SteppedFrame step_by_step(const Frame& frame, const std::vector<TargetPictures>& before) {
+    return Isolation(frame, before, {}).take_all();
+}
 
 Frame isolate_pass(const Frame& frame, std::size_t index, const std::vector<TargetPictures>& before,
                    const Nudge& nudge) {

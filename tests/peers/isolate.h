@@ -23,6 +23,9 @@ struct Nudge {
 // The contents of each target at one time; null for depth targets.
 using TargetPictures = std::vector<std::shared_ptr<const pipeline::ColorImage>>;
 
+// Of all targets before each pass, and after the last, as pipeline::execute draws them.
+std::vector<TargetPictures> pictures_of(const pipeline::Frame& frame);
+
 // before[i]: before pass i. The pass has a colour target, which is the output.
 pipeline::Frame isolate_pass(const pipeline::Frame& frame, std::size_t index, const std::vector<TargetPictures>& before,
                              const Nudge& nudge = {});
@@ -31,5 +34,13 @@ pipeline::Frame isolate_pass(const pipeline::Frame& frame, std::size_t index, co
 // 255 for that or more. The alpha test is left out, so fragments that it rejects are counted too.
 pipeline::Frame count_layers(const pipeline::Frame& frame, std::size_t index,
                              const std::vector<TargetPictures>& before);
+
+// All passes, each after blits that put back what it draws to and reads; depth is left as the passes made it. places[i]: where
+// pass i stands now.
+struct SteppedFrame {
+    pipeline::Frame frame;
+    std::vector<std::size_t> places;
+};
+SteppedFrame step_by_step(const pipeline::Frame& frame, const std::vector<TargetPictures>& before);
 
 }  // namespace peers

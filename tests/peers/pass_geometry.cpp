@@ -8,7 +8,7 @@
 
 #include "pipeline/execute/lower.h"
 #include "pipeline/execute/vertex_stage.h"
-#include "tests/peers/gl_state.h"
+#include "pipeline/legalize/window_map.h"
 
 namespace peers {
 
@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kTile          = 16;       // pixels
 constexpr double kReach      = 0.05;     // pixels: 1.42 * (1/32 + 1/512), and what floats lose
+constexpr double kCutReach   = 0.1;      // the same for corners that are cut to 1/16 pixel
 constexpr double kFloatDepth = 0x1p-23;  // two roundings of a float below 1
 constexpr int kFiner         = 16;       // OpenGL's grid, 1/256 pixel, is this much finer than the frame's
 
@@ -58,11 +59,11 @@ double distance_to_edge(const glm::dvec2& a, const glm::dvec2& b, const glm::dve
 
 using Edge = std::pair<glm::dvec2, glm::dvec2>;
 
-std::vector<Edge> edges_near(const raster::Triangle& triangle, const glm::dvec2& point) {
+std::vector<Edge> edges_near(const raster::Triangle& triangle, const glm::dvec2& point, double reach) {
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec2 a = place(triangle[i]), b = place(triangle[(i + 1) % 3]);
-        if (distance_to_edge(a, b, point) <= kReach) edges.emplace_back(a, b);
+        if (distance_to_edge(a, b, point) <= reach) edges.emplace_back(a, b);
     }
     return edges;
 }
@@ -92,14 +93,15 @@ bool is_on_edge(const DrawRectangle& rectangle, const raster::Subpixel& point) {
 }
 
 // The corners' weights at a point, if the triangle covers it or nearly.
-std::optional<std::array<double, 3>> weights_at(const raster::Triangle& triangle, const glm::dvec2& point) {
+std::optional<std::array<double, 3>> weights_at(const raster::Triangle& triangle, const glm::dvec2& point,
+                                                double reach) {
     const glm::dvec2 a = place(triangle[0]), b = place(triangle[1]), c = place(triangle[2]);
     const double area = cross(b - a, c - a);
     if (area == 0.0) return std::nullopt;
     const std::array<double, 3> weights{cross(c - b, point - b) / area, cross(a - c, point - c) / area,
                                         cross(b - a, point - a) / area};
     const bool covers = *std::min_element(weights.begin(), weights.end()) >= 0.0;
-    if (!covers && edges_near(triangle, point).empty()) return std::nullopt;
+    if (!covers && edges_near(triangle, point, reach).empty()) return std::nullopt;
     return weights;
 }
 
@@ -114,6 +116,12 @@ bool share_corner(const raster::Triangle& a, const raster::Triangle& b) {
     return std::any_of(a.begin(), a.end(), [&](const raster::Vertex& p) {
         return std::any_of(b.begin(), b.end(),
                            [&](const raster::Vertex& q) { return p.x == q.x && p.y == q.y && p.z == q.z; });
+    });
+}
+
+bool are_same(const raster::Triangle& a, const raster::Triangle& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), [](const raster::Vertex& p, const raster::Vertex& q) {
+        return p.x == q.x && p.y == q.y && p.z == q.z;
     });
 }
 
@@ -156,9 +164,19 @@ double steepest_color(const raster::Triangle& triangle) {
     return greatest;
 }
 
+bool has_same_camera(const Frame& frame, const Pass& a, const Pass& b) {
+    if (!a.camera || !b.camera) return !a.camera && !b.camera;
+    const Camera& one = frame.cameras[static_cast<std::size_t>(a.camera.index)];
+    const Camera& two = frame.cameras[static_cast<std::size_t>(b.camera.index)];
+    return one.view == two.view && one.projection == two.projection;
+}
+
 }  // namespace
 
-PassGeometry::PassGeometry(const Frame& frame, std::size_t index) : pass_(frame.passes[index]) {
+PassGeometry::PassGeometry(const Frame& frame, std::size_t index)
+    : pass_(frame.passes[index]),
+      center_(frame.arithmetic.pixel_center),
+      reach_(frame.arithmetic.snap == SnapRule::Truncate ? kCutReach : kReach) {
     const Pass& drawn    = pass_;
     const Target& target = frame.targets[static_cast<std::size_t>((drawn.color ? drawn.color : drawn.depth).index)];
     width_               = (target.width + kTile - 1) / kTile;
@@ -173,14 +191,20 @@ PassGeometry::PassGeometry(const Frame& frame, std::size_t index) : pass_(frame.
         const Pass& pass      = frame.passes[i];
         const bool is_of_pass = i == index;
         if (!is_of_pass && !(pass.depth && pass.depth == drawn.depth)) continue;
-        const bool writes_depth = pass.depth && pass.state.depth.write;
-        for (const raster::Triangle& triangle : triangles_of(frame, pass, area_of(frame, pass).viewport))
-            add({triangle, is_of_pass, is_culled(pass.state.cull, triangle), writes_depth});
+        const bool writes_depth  = pass.depth && pass.state.depth.write;
+        const PixelRect viewport = viewport_of(frame, pass);
+        const bool same_view     = viewport == viewport_of(frame, drawn) && has_same_camera(frame, pass, drawn);
+        for (const raster::Triangle& triangle : triangles_of(frame, pass, viewport))
+            add({triangle, is_of_pass, is_culled(pass.state.cull, triangle), writes_depth, same_view});
         if (pass.clear.depth) flat_surfaces_.push_back({*pass.clear.depth, depth_step_, false, true});
         for (const Draw& draw : pass.draws)
             if (const auto* rectangle = std::get_if<DrawRectangle>(&draw))
                 flat_surfaces_.push_back({rectangle->depth, depth_step_, is_of_pass, writes_depth});
     }
+}
+
+glm::dvec2 PassGeometry::center_of(int x, int y) const {
+    return glm::dvec2(x, y) + static_cast<double>(center_) / raster::kSubpixels;
 }
 
 void PassGeometry::add(const NearTriangle& near) {
@@ -200,10 +224,10 @@ const std::vector<PassGeometry::NearTriangle>& PassGeometry::near(int x, int y) 
 }
 
 bool PassGeometry::has_sliver(int x, int y) const {
-    const glm::dvec2 center(x + 0.5, y + 0.5);
+    const glm::dvec2 center = center_of(x, y);
     std::optional<Edge> first;
     for (const NearTriangle& triangle : near(x, y))
-        for (const Edge& edge : edges_near(triangle.corners, center)) {
+        for (const Edge& edge : edges_near(triangle.corners, center, reach_)) {
             if (first && !is_same(*first, edge)) return true;
             first = edge;
         }
@@ -211,25 +235,27 @@ bool PassGeometry::has_sliver(int x, int y) const {
 }
 
 bool PassGeometry::has_edge(int x, int y) const {
-    const glm::dvec2 center(x + 0.5, y + 0.5);
-    const auto& triangles = near(x, y);
-    return std::any_of(triangles.begin(), triangles.end(),
-                       [&](const NearTriangle& triangle) { return !edges_near(triangle.corners, center).empty(); });
+    const glm::dvec2 center = center_of(x, y);
+    const auto& triangles   = near(x, y);
+    return std::any_of(triangles.begin(), triangles.end(), [&](const NearTriangle& triangle) {
+        return !edges_near(triangle.corners, center, reach_).empty();
+    });
 }
 
 std::vector<PassGeometry::Surface> PassGeometry::surfaces_at(int x, int y) const {
-    const glm::dvec2 center(x + 0.5, y + 0.5);
+    const glm::dvec2 center       = center_of(x, y);
     std::vector<Surface> surfaces = flat_surfaces_;
     for (const NearTriangle& triangle : near(x, y)) {
         if (triangle.is_culled) continue;
-        const auto weights = weights_at(triangle.corners, center);
+        const auto weights = weights_at(triangle.corners, center, reach_);
         if (!weights) continue;
         double depth = 0.0;
         for (std::size_t i = 0; i < 3; ++i) depth += (*weights)[i] * double{triangle.corners[i].z};
         const double reach =
-            kReach * slope(triangle.corners, triangle.corners[0].z, triangle.corners[1].z, triangle.corners[2].z) +
+            reach_ * slope(triangle.corners, triangle.corners[0].z, triangle.corners[1].z, triangle.corners[2].z) +
             depth_step_;
-        surfaces.push_back({depth, reach, triangle.is_of_pass, triangle.writes_depth, &triangle.corners});
+        surfaces.push_back(
+            {depth, reach, triangle.is_of_pass, triangle.writes_depth, &triangle.corners, triangle.same_view});
     }
     return surfaces;
 }
@@ -243,12 +269,15 @@ bool PassGeometry::has_depth_tie(int x, int y) const {
             return front.writes_depth && front.depth + front.reach < back.depth - back.reach;
         });
     };
-    // Triangles of a mesh that meet at the centre are one surface.
-    const auto are_neighbors = [](const Surface& a, const Surface& b) {
-        return a.triangle != nullptr && b.triangle != nullptr && share_corner(*a.triangle, *b.triangle);
+    // Triangles of a mesh that meet at the centre are one surface, and so is one that a later pass draws again, unless it goes
+    // through another projection.
+    const auto are_one = [](const Surface& a, const Surface& b) {
+        if (a.triangle == nullptr || b.triangle == nullptr || !a.same_view || !b.same_view) return false;
+        return a.is_of_pass == b.is_of_pass ? share_corner(*a.triangle, *b.triangle)
+                                            : are_same(*a.triangle, *b.triangle);
     };
     const auto tie = [&](const Surface& a, const Surface& b) {
-        return (a.is_of_pass || b.is_of_pass) && (a.writes_depth || b.writes_depth) && !are_neighbors(a, b) &&
+        return (a.is_of_pass || b.is_of_pass) && (a.writes_depth || b.writes_depth) && !are_one(a, b) &&
                std::abs(a.depth - b.depth) <= a.reach + b.reach;
     };
     for (std::size_t i = 0; i < surfaces.size(); ++i)
@@ -258,8 +287,7 @@ bool PassGeometry::has_depth_tie(int x, int y) const {
 }
 
 bool PassGeometry::has_tie(int x, int y) const {
-    constexpr int kCenter = raster::kSubpixels / 2;
-    const raster::Subpixel center{x * raster::kSubpixels + kCenter, y * raster::kSubpixels + kCenter};
+    const raster::Subpixel center{x * raster::kSubpixels + center_, y * raster::kSubpixels + center_};
     const auto& triangles = near(x, y);
     return std::any_of(triangles.begin(), triangles.end(),
                        [&](const NearTriangle& near) { return near.is_of_pass && is_on_edge(near.corners, center); }) ||
@@ -270,22 +298,22 @@ bool PassGeometry::has_tie(int x, int y) const {
 }
 
 double PassGeometry::perspective(int x, int y) const {
-    const glm::dvec2 center(x + 0.5, y + 0.5);
-    double greatest = 0.0;
+    const glm::dvec2 center = center_of(x, y);
+    double greatest         = 0.0;
     for (const NearTriangle& triangle : near(x, y)) {
         if (!triangle.is_of_pass) continue;
-        if (const auto weights = weights_at(triangle.corners, center))
+        if (const auto weights = weights_at(triangle.corners, center, reach_))
             greatest = std::max(greatest, perspective_difference(triangle.corners, *weights));
     }
     return greatest;
 }
 
-double PassGeometry::displacement(int x, int y) const {
-    const glm::dvec2 center(x + 0.5, y + 0.5);
-    double greatest = 0.0;
+double PassGeometry::change_within(double pixels, int x, int y) const {
+    const glm::dvec2 center = center_of(x, y);
+    double greatest         = 0.0;
     for (const NearTriangle& triangle : near(x, y))
-        if (triangle.is_of_pass && !triangle.is_culled && weights_at(triangle.corners, center))
-            greatest = std::max(greatest, kReach * steepest_color(triangle.corners));
+        if (triangle.is_of_pass && !triangle.is_culled && weights_at(triangle.corners, center, reach_))
+            greatest = std::max(greatest, pixels * steepest_color(triangle.corners));
     return std::min(greatest, 255.0);
 }
 

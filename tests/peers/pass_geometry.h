@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What follows, at a pixel, from the triangles that come near its centre:
-// - Slivers. Snapping displaces a vertex by up to 1/32 pixel along each axis here and 1/512 in OpenGL, 0.048 pixel
-//   together along a diagonal. Where two edges are both as near as that to the centre, those of one triangle at its tip
+// - Slivers. Snapping displaces a vertex by up to 1/32 pixel along each axis here (1/16 where corners are cut, not rounded)
+//   and 1/512 in OpenGL, 0.048 pixel (0.091) together along a diagonal. Where two edges are both as near as that to the centre, those of one triangle at its tip
 //   or all along a sliver, or those of two that fold or overlap there, each may lie on either side of it in one of them
 //   only, and a triangle be culled.
 // - Slopes. The same displacement changes a colour at the centre by as much times its slope.
@@ -13,6 +13,7 @@
 //   exactly.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "pipeline/frame/frame.h"
@@ -42,25 +43,32 @@ class PassGeometry {
     // of 255.
     double perspective(int x, int y) const;
 
-    // What the same may change by within the displacement of a vertex.
-    double displacement(int x, int y) const;
+    // What the same may change by within as many pixels.
+    double change_within(double pixels, int x, int y) const;
+
+    // Pixels: how far snapping may displace a vertex in one picture from where it is in the other.
+    double reach() const { return reach_; }
 
   private:
     struct NearTriangle {
         raster::Triangle corners;
-        bool is_of_pass, is_culled, writes_depth;
+        bool is_of_pass, is_culled, writes_depth, same_view;  // as the pass's camera and viewport
     };
     // Its depth at the centre of a pixel is known to +-reach.
     struct Surface {
         double depth, reach;
         bool is_of_pass, writes_depth;
         const raster::Triangle* triangle = nullptr;
+        bool same_view                   = false;
     };
     void add(const NearTriangle& triangle);
+    glm::dvec2 center_of(int x, int y) const;
     std::vector<Surface> surfaces_at(int x, int y) const;
     const std::vector<NearTriangle>& near(int x, int y) const;
 
     const pipeline::Pass& pass_;
+    int center_;                                    // Arithmetic::pixel_center
+    double reach_;                                  // pixels: how far edges may be displaced
     double depth_step_ = 0.0;                       // what a depth is rounded by
     std::vector<Surface> flat_surfaces_;            // clears and rectangles
     int width_ = 0, height_ = 0;                    // in tiles
