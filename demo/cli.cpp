@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "demo/arguments.h"
+#include "demo/chip_table.h"
 #include "demo/command_bench.h"
 #include "demo/command_dump.h"
+#include "demo/command_emit.h"
 #include "demo/command_metrics.h"
 #include "demo/command_plan.h"
 #include "demo/command_profiles.h"
@@ -65,12 +67,6 @@ const pipeline::Profile& parse_profile(const std::string& name) {
     throw std::runtime_error(name + ": no such profile (there are: " + known + ")");
 }
 
-// Scenes are not yet rewritten for a chip's limits.
-void check_drawn_profile(const std::string& name) {
-    if (parse_profile(name).name != "ideal")
-        throw std::runtime_error("--profile " + name + ": render draws as ideal alone");
-}
-
 // CLI11 gives a flag its value only after '='; "--stats json" is to work as well.
 std::vector<std::string> joined_statistics(int argc, const char* const* argv) {
     std::vector<std::string> arguments;
@@ -96,14 +92,21 @@ CLI::App* add_render(CLI::App& app, Arguments& arguments) {
     command->add_option("--threads", arguments.threads, "How many threads draw; 0 is all cores");
     command->add_option("--simd", arguments.simd, "The instruction set to draw with");
     command->add_flag("--stats{text}", arguments.statistics, "Print what each pass did: text or json");
-    command->add_option("--profile", arguments.profile, "The chip to draw as: ideal");
+    command->add_option("--profile", arguments.profile, "The chip to draw as: ideal, dx7, ps2, gamecube or xbox");
+    command->add_flag("--fit")->description("Reduce picture and textures until they fit the chip");
     command->add_option("--technique", arguments.technique, "What draws the clouds: mega, sprites or slices");
     command->add_option("--mode", arguments.mode, "The clouds' rim: skirt, article, premultiplied or black");
     command->add_flag("--order-free")->description("Draw all else before the clouds");
     command->callback([command, &arguments] {
         const auto is_given = [&](const char* name) { return command->count(name) > 0; };
-        if (is_given("--profile")) check_drawn_profile(arguments.profile);
         RenderOptions options;
+        if (is_given("--profile")) {
+            const pipeline::Profile& profile = parse_profile(arguments.profile);
+            if (profile.name != "ideal") options.profile = &profile;
+        }
+        options.reduce = is_given("--fit");
+        if (options.reduce && options.profile == nullptr)
+            throw std::runtime_error("--fit: needs --profile with a chip to fit");
         options.scene            = arguments.scene;
         options.output           = optional_value(arguments.output, is_given("--output"), &as_it_is);
         options.size             = optional_value(arguments.size, is_given("--size"), &parse_size);
@@ -169,20 +172,58 @@ void add_plan(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand(
         "plan", "Say what a chip lacks for a frame, where it would lie in memory, what it would cost");
     command->add_option("SCENE", arguments.scene, "A built-in scene, a .toml file or a dumped frame")->required();
-    command->add_option("--profile", arguments.profile, "The chip: dx7, ps2, gamecube or xbox")->required();
+    command
+        ->add_option("--profile", arguments.profile, "The chip: dx7, ps2, gamecube or xbox; all: a table of the four")
+        ->required();
     command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels");
     command->add_option("--frame", arguments.frame, "Which frame of the animation");
     command->add_option("--format", arguments.format, "text or json");
+    command->add_flag("--fit")->description("Reduce picture and textures until they fit the chip");
+    command->add_flag("--words")->description("Also the passes in the chip's own words, without vertices");
     command->callback([command, &arguments] {
         const auto is_given = [&](const char* name) { return command->count(name) > 0; };
         PlanOptions options;
-        options.scene   = arguments.scene;
-        options.profile = &parse_profile(arguments.profile);
-        options.size    = optional_value(arguments.size, is_given("--size"), &parse_size);
+        const bool is_table = arguments.profile == "all";
+        options.reduce      = is_given("--fit");
+        options.scene       = arguments.scene;
+        options.size        = optional_value(arguments.size, is_given("--size"), &parse_size);
         if (is_given("--frame")) options.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        if (is_table) {
+            if (is_given("--format")) throw std::runtime_error("--format: the table of all chips is Markdown");
+            return print(chip_table(options));
+        }
+        options.profile    = &parse_profile(arguments.profile);
+        options.with_words = is_given("--words");
         if (is_given("--format")) options.format = parse_plan_format(arguments.format);
+        if (options.with_words && options.format != PlanFormat::Text)
+            throw std::runtime_error("--words: stand in the text alone");
         report_plan(options);
     });
+}
+
+CLI::App* add_emit(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand(
+        "emit", "Write a frame in a chip's own words: registers, methods, or a program of API calls");
+    command->add_option("SCENE", arguments.scene, "A built-in scene, a .toml file or a dumped frame")->required();
+    command->add_option("--profile", arguments.profile, "The chip: dx7, ps2, gamecube or xbox")->required();
+    command->add_option("-o,--output", arguments.output, "The file; data goes beside it, with .bin for its ending");
+    command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels");
+    command->add_option("--frame", arguments.frame, "Which frame of the animation");
+    command->add_flag("--fit")->description("Reduce picture and textures until they fit the chip");
+    command->add_flag("--text")->description("ps2: registers and their meaning to read, not a dump to replay");
+    command->callback([command, &arguments] {
+        const auto is_given = [&](const char* name) { return command->count(name) > 0; };
+        EmitOptions options;
+        options.scene   = arguments.scene;
+        options.profile = &parse_profile(arguments.profile);
+        options.output  = optional_value(arguments.output, is_given("--output"), &as_it_is);
+        options.size    = optional_value(arguments.size, is_given("--size"), &parse_size);
+        options.reduce  = is_given("--fit");
+        options.as_text = is_given("--text");
+        if (is_given("--frame")) options.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        emit(options);
+    });
+    return command;
 }
 
 CLI::App* add_vectors(CLI::App& app, Arguments& arguments) {
@@ -240,6 +281,7 @@ void run_command_line(int argc, const char* const* argv) {
     add_dump(app, arguments);
     add_metrics(app, arguments);
     add_plan(app, arguments);
+    add_emit(app, arguments);
     add_vectors(app, arguments);
     add_profiles(app, arguments);
     add_bench(app);

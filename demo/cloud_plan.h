@@ -32,7 +32,7 @@ struct CloudKey {
 struct CloudLight {
     cloud::InnerLight light;
     float scene_range = 0.0f;
-    float flicker = 0.0f;
+    float flicker     = 0.0f;
     struct Flash {
         double start_s, length_s;
     };

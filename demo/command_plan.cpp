@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "demo/chip_words.h"
 #include "demo/frame_source.h"
 #include "demo/standard_output.h"
 #include "demo/text_table.h"
@@ -31,55 +32,15 @@ using pipeline::Range;
 
 struct Plan {
     const Profile& profile;
-    pipeline::LegalFrame legal;
+    ChipFrame chip;
     MemoryMap memory;
-    std::optional<FrameCost> cost;  // none of a profile that is no chip
 };
 
 Plan make_plan(const PlanOptions& options) {
-    Plan plan{
-        .profile = *options.profile,
-        .legal   = pipeline::legalize(FrameSource(options.scene).frame(options.size, options.frame), *options.profile),
-        .memory  = {},
-        .cost    = {}};
-    const Frame& frame = plan.legal.frame;
-    plan.memory        = pipeline::lay_out(frame, plan.profile);
-    if (const pipeline::ChipRates* rates = pipeline::find_rates(plan.profile.name))
-        plan.cost = pipeline::cost(frame, pipeline::execute(frame).counts, *rates);
-    return plan;
-}
-
-// "pass 3 'composite': state.blend" in two: what is the same of several passes is one line.
-struct Place {
-    std::string owner, field;
-};
-Place place_of(const ChipFinding& finding) {
-    const std::size_t colon = finding.where.find("': ");
-    if (colon == std::string::npos) return {finding.where, {}};
-    return {finding.where.substr(0, colon + 1), finding.where.substr(colon + 3)};
-}
-
-struct Group {
-    std::string field;
-    const ChipFinding* first;
-    std::vector<std::string> owners;
-};
-
-std::vector<Group> grouped(const std::vector<ChipFinding>& findings) {
-    std::vector<Group> groups;
-    for (const ChipFinding& finding : findings) {
-        const Place place = place_of(finding);
-        const auto same   = [&](const Group& group) {
-            return group.field == place.field && group.first->rule == finding.rule &&
-                   group.first->uses == finding.uses && group.first->has == finding.has;
-        };
-        const auto found = std::find_if(groups.begin(), groups.end(), same);
-        if (found == groups.end())
-            groups.push_back({place.field, &finding, {place.owner}});
-        else
-            found->owners.push_back(place.owner);
-    }
-    return groups;
+    const Profile& profile = *options.profile;
+    ChipFrame chip         = make_chip_frame(FrameSource(options.scene), options);
+    MemoryMap memory       = pipeline::lay_out(chip.legal.frame, profile);
+    return {.profile = profile, .chip = std::move(chip), .memory = std::move(memory)};
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -110,23 +71,6 @@ std::string notes_text(const pipeline::RewriteNotes& notes) {
     for (const Line& line : lines)
         text += std::string(line.note->rewrite) + ": " + line.note->why + "; now " + line.note->how + "\n    in " +
                 joined(line.places) + '\n';
-    return text;
-}
-
-std::string findings_text(const Plan& plan) {
-    if (plan.legal.left.empty()) return "nothing: it can draw this frame\n";
-    std::string text;
-    std::map<std::string_view, std::string_view> sources;
-    for (const Group& group : grouped(plan.legal.left)) {
-        const ChipFinding& finding = *group.first;
-        text += (group.field.empty() ? group.owners.front() : group.field) + ": uses " + finding.uses +
-                "; the chip has " + finding.has + " [" + std::string(finding.rule) + "]\n";
-        if (!group.field.empty()) text += "    in " + joined(group.owners) + '\n';
-        if (const pipeline::Evidence* evidence = find_evidence(plan.profile, finding.rule))
-            sources[finding.rule] = evidence->source;
-    }
-    text += '\n';
-    for (const auto& [rule, source] : sources) text += '[' + std::string(rule) + "] " + std::string(source) + '\n';
     return text;
 }
 
@@ -173,10 +117,10 @@ std::string verdict_text(const FrameCost& cost) {
 }
 
 std::string cost_text(const Plan& plan) {
-    const FrameCost& cost = *plan.cost;
+    const FrameCost& cost = *plan.chip.cost;
     std::vector<TextRow> rows{{"", "pass", "pixels", "texels", "bytes", "page breaks", "ms", "slowest"}};
     for (std::size_t i = 0; i < cost.passes.size(); ++i)
-        rows.push_back(cost_row(std::to_string(i), plan.legal.frame.passes[i].label, cost.passes[i]));
+        rows.push_back(cost_row(std::to_string(i), plan.chip.legal.frame.passes[i].label, cost.passes[i]));
     rows.push_back(cost_row("", "total", cost.total));
     std::string text = text_table(rows, "rlrrrrrl");
     for (const pipeline::Evidence& unknown : cost.unknown)
@@ -185,10 +129,13 @@ std::string cost_text(const Plan& plan) {
 }
 
 std::string plan_text(const Plan& plan, const std::string& scene) {
-    std::string text = scene + " on " + std::string(plan.profile.chip) + "\n\nRewritten for it\n\n" +
-                       notes_text(plan.legal.notes) + "\nWhat the chip still lacks\n\n" + findings_text(plan) +
-                       "\nMemory\n\n" + memory_text(plan.memory);
-    if (plan.cost) text += "\nCost, at 60 frames a second\n\n" + cost_text(plan);
+    std::string text = scene + " on " + std::string(plan.profile.chip) + "\n\n";
+    if (plan.chip.reduction) text += "Reduced: " + reduction_text(*plan.chip.reduction) + "\n\n";
+    text += "Rewritten for it\n\n" + notes_text(plan.chip.legal.notes) + "\nWhat the chip still lacks\n\n" +
+            (plan.chip.legal.left.empty() ? "nothing: it can draw this frame\n"
+                                          : findings_text(plan.chip.legal.left, plan.profile)) +
+            "\nMemory\n\n" + memory_text(plan.memory);
+    if (plan.chip.cost) text += "\nCost, at 60 frames a second\n\n" + cost_text(plan);
     return text;
 }
 
@@ -212,7 +159,7 @@ ordered_json to_json(const std::string& label, const PassCost& cost) {
 
 ordered_json findings_json(const Plan& plan) {
     ordered_json findings = ordered_json::array();
-    for (const ChipFinding& finding : plan.legal.left) {
+    for (const ChipFinding& finding : plan.chip.legal.left) {
         const pipeline::Evidence* evidence = find_evidence(plan.profile, finding.rule);
         findings.push_back({{"where", finding.where},
                             {"rule", finding.rule},
@@ -221,6 +168,13 @@ ordered_json findings_json(const Plan& plan) {
                             {"source", evidence != nullptr ? evidence->source : ""}});
     }
     return findings;
+}
+
+ordered_json reduction_json(const Plan& plan) {
+    if (!plan.chip.reduction) return nullptr;
+    const Reduction& reduction = *plan.chip.reduction;
+    return {
+        {"width", reduction.size.width}, {"height", reduction.size.height}, {"texture_halvings", reduction.halvings}};
 }
 
 ordered_json notes_json(const pipeline::RewriteNotes& notes) {
@@ -245,15 +199,15 @@ ordered_json memory_json(const MemoryMap& memory) {
 }
 
 ordered_json cost_json(const Plan& plan) {
-    if (!plan.cost) return nullptr;
+    if (!plan.chip.cost) return nullptr;
     ordered_json passes = ordered_json::array(), unknown = ordered_json::array();
-    for (std::size_t i = 0; i < plan.cost->passes.size(); ++i)
-        passes.push_back(to_json(plan.legal.frame.passes[i].label, plan.cost->passes[i]));
-    for (const pipeline::Evidence& evidence : plan.cost->unknown)
+    for (std::size_t i = 0; i < plan.chip.cost->passes.size(); ++i)
+        passes.push_back(to_json(plan.chip.legal.frame.passes[i].label, plan.chip.cost->passes[i]));
+    for (const pipeline::Evidence& evidence : plan.chip.cost->unknown)
         unknown.push_back({{"topic", evidence.topic}, {"open", evidence.open}});
     return {{"passes", passes},
-            {"total", to_json("total", plan.cost->total)},
-            {"verdict", enum_name(plan.cost->verdict)},
+            {"total", to_json("total", plan.chip.cost->total)},
+            {"verdict", enum_name(plan.chip.cost->verdict)},
             {"unknown", unknown}};
 }
 
@@ -263,18 +217,21 @@ void report_plan(const PlanOptions& options) {
     const Plan plan = make_plan(options);
     if (options.format == PlanFormat::Text) {
         print(plan_text(plan, options.scene));
+        if (options.with_words && plan.chip.legal.left.empty())
+            print("\nPasses in its own words\n\n" + chip_words(plan.chip.legal, plan.profile));
     } else {
         const ordered_json json{{"scene", options.scene},
                                 {"profile", plan.profile.name},
-                                {"rewrites", notes_json(plan.legal.notes)},
+                                {"reduction", reduction_json(plan)},
+                                {"rewrites", notes_json(plan.chip.legal.notes)},
                                 {"findings", findings_json(plan)},
                                 {"memory", memory_json(plan.memory)},
                                 {"cost", cost_json(plan)}};
         print(json.dump(2) + '\n');
     }
-    if (!plan.legal.left.empty())
+    if (!plan.chip.legal.left.empty())
         throw ChipCannot(std::string(plan.profile.name) + " cannot draw " + options.scene + ": " +
-                         std::to_string(plan.legal.left.size()) + " findings");
+                         std::to_string(plan.chip.legal.left.size()) + " findings");
 }
 
 }  // namespace demo

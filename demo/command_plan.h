@@ -3,33 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
-#include <optional>
-#include <string>
-#include <utility>
 
-#include "demo/scene.h"
-#include "pipeline/profile/profile.h"
+#include "demo/chip_frame.h"
 
 namespace demo {
 
 enum class PlanFormat : std::uint8_t { Text, Json };
 
-struct PlanOptions {
-    std::string scene;
-    const pipeline::Profile* profile = nullptr;
-    std::optional<Size> size;
-    int frame         = 0;
+struct PlanOptions : ChipFrameOptions {
     PlanFormat format = PlanFormat::Text;
-};
-
-// What a chip cannot do; the whole list is printed already.
-struct ChipCannot : std::exception {
-    explicit ChipCannot(std::string text) : text_(std::move(text)) {}
-    const char* what() const noexcept override { return text_.c_str(); }
-
-  private:
-    std::string text_;
+    bool with_words   = false;  // of the chip, where it can draw the frame; in the text
 };
 
 // Prints the plan; then throws ChipCannot if the chip lacks something.

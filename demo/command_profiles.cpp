@@ -161,8 +161,7 @@ std::string description(const Profile& profile) {
     const pipeline::ChipLimits& limits = profile.limits;
     add("texture formats", names_of(limits.texture_formats));
     if (limits.memory != 0) {
-        add("texture sizes",
-            size_of(limits.texture_width, limits.texture_height) + (limits.powers_of_two ? ", powers of two" : ""));
+        add("texture sizes", size_of(limits.texture_width, limits.texture_height));
         add("target sizes", size_of(limits.target_width, limits.target_height));
         add("memory", memory_of(limits));
     }

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "demo/frame_source.h"
+#include "demo/chip_frame.h"
 #include "demo/image_file.h"
 #include "demo/pass_pictures.h"
 #include "demo/pass_statistics.h"
@@ -47,11 +47,33 @@ struct DrawnFrame {
     double building_ms = 0.0, drawing_ms = 0.0;  // scene to frame; frame to picture, writing files not counted
 };
 
-DrawnFrame draw(const FrameSource& source, const RenderOptions& options, int index, const std::string& path,
+// Gives frame after frame, for the chip if there is one.
+class Frames {
+  public:
+    Frames(const FrameSource& source, const RenderOptions& options)
+        : source_(source),
+          chip_{.scene   = options.scene,
+                .profile = options.profile,
+                .size    = options.size,
+                .changes = options.changes,
+                .reduce  = options.reduce} {}
+
+    pipeline::Frame at(int index) {
+        if (chip_.profile == nullptr) return source_.frame(chip_.size, index, chip_.changes);
+        chip_.frame = index;
+        return drawable_chip_frame(source_, chip_).frame;
+    }
+
+  private:
+    const FrameSource& source_;
+    ChipFrameOptions chip_;
+};
+
+DrawnFrame draw(Frames& frames, const RenderOptions& options, int index, const std::string& path,
                 pipeline::Executor& executor, pipeline::Execution& execution) {
     DrawnFrame drawn{.index = index, .path = path, .passes = {}};
     const Clock::time_point start = Clock::now();
-    const pipeline::Frame frame   = source.frame(options.size, index, options.changes);
+    const pipeline::Frame frame   = frames.at(index);
     drawn.building_ms             = milliseconds_since(start);
 
     std::optional<PassPictures> pictures;
@@ -127,14 +149,16 @@ void render(const RenderOptions& options) {
     const bool reports_in_json = options.statistics == StatisticsFormat::Json;
     check_paths(options, output, frames);
 
-    nlohmann::ordered_json report{{"scene", options.scene}, {"profile", "ideal"}};
+    nlohmann::ordered_json report{{"scene", options.scene},
+                                  {"profile", options.profile != nullptr ? options.profile->name : "ideal"}};
     report["frames"] = nlohmann::ordered_json::array();
     ProgressBar progress(frames.last - frames.first + 1);
     pipeline::Executor executor;
     pipeline::Execution execution;
+    Frames chip_frames(source, options);
     double drawing_ms = 0.0;
     for (int index = frames.first; index <= frames.last; ++index) {
-        const DrawnFrame frame = draw(source, options, index, numbered_path(output, index), executor, execution);
+        const DrawnFrame frame = draw(chip_frames, options, index, numbered_path(output, index), executor, execution);
         write_image(frame.path, execution.output, Channels::Rgb);
         drawing_ms += frame.drawing_ms;
         progress.hide();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "demo/arguments.h"
+#include "pipeline/profile/profile.h"
 
 namespace demo {
 
@@ -18,10 +19,12 @@ struct RenderOptions {
     std::optional<Size> size;           // else the scene's
     std::optional<FrameRange> frames;   // else frame 0 alone
     std::optional<std::string> passes_directory;
-    int threads = 0;          // 0: all cores
-    std::string simd_target;  // "": the best
-    FrameOptions changes;     // of how the scene draws its clouds
-    StatisticsFormat statistics = StatisticsFormat::None;
+    int threads = 0;                             // 0: all cores
+    std::string simd_target;                     // "": the best
+    FrameOptions changes;                        // of how the scene draws its clouds
+    const pipeline::Profile* profile = nullptr;  // the chip that the frames are rewritten for; null: drawn as they are
+    bool reduce                      = false;    // until the first frame fits the chip, and the others like it
+    StatisticsFormat statistics      = StatisticsFormat::None;
 };
 
 void render(const RenderOptions& options);

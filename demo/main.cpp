@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "demo/chip_frame.h"
 #include "demo/cli.h"
-#include "demo/command_plan.h"
 #include "demo/new_file.h"
 
 namespace {
@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
         demo::run_command_line(argc, argv);
         return 0;
     } catch (const demo::ChipCannot& reason) {
+        std::fputs(reason.details().c_str(), stderr);
         return report(reason.what(), 3);
     } catch (const std::runtime_error& error) {
         return report(error.what(), 2);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "demo/chip_table.h"
 #include "demo/command_profiles.h"
 #include "demo/embedded_texts.h"
 #include "demo/pass_statistics.h"
@@ -59,6 +60,14 @@ TEST_CASE("the README's table of passes is what the program prints", "[readme]")
                       });
     CHECK(timeless_lines(block_after("## How a frame gets its cloud", "```")) ==
           timeless_lines(demo::to_table(passes)));
+}
+
+TEST_CASE("the README's table of four chips is what the program prints", "[readme]") {
+    demo::ChipFrameOptions options;
+    options.scene  = "canyon";
+    options.size   = demo::Size{640, 448};
+    options.reduce = true;
+    CHECK(read("README.md").find("\n\n" + demo::chip_table(options) + "\n") != std::string::npos);
 }
 
 TEST_CASE("the README counts the small frames", "[readme]") {
