@@ -115,7 +115,11 @@ Mat4 random_matrix(Random& random) {
 Arithmetic random_arithmetic(Random& random) {
     Arithmetic arithmetic;
     if (random.chance(30)) return arithmetic;
-    scramble(arithmetic, random);
+    // vertex_depth follows what is drawn anyway, so that the numbers of older seeds stay what they were.
+    visit_fields(arithmetic, [&](std::string_view name, auto& field) {
+        if (name != "vertex_depth") scramble(field, random);
+    });
+    arithmetic.vertex_depth = arithmetic.gouraud == GouraudRule::Floor ? VertexDepth::WholeUnits : VertexDepth::Fine;
     arithmetic.pixel_center = random.chance(40) ? random.one_of({0, 8, 9}) : random.from(0, 15);
     return arithmetic;
 }
