@@ -24,7 +24,8 @@ using namespace pipeline;
 // In pixels: a corner that is cut moves by up to 1/16, and Wine's own centres are 1/256 off.
 constexpr float kCutNudges[]          = {-3.0f / 32.0f, -1.0f / 16.0f, -1.0f / 32.0f, 0.0f,
                                          1.0f / 32.0f,  1.0f / 16.0f,  3.0f / 32.0f};
-constexpr std::uint64_t kEnoughPixels = 10000, kPixelsPerEdge = 200;
+// Hundreds of spheres meet in edges all over a cloud.
+constexpr std::uint64_t kEnoughPixels = 10000, kPixelsPerEdge = 100;
 
 struct Arguments {
     bool prints_passes = false;

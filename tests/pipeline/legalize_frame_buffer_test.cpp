@@ -284,6 +284,45 @@ passes [
     }));
 }
 
+TEST_CASE("what is halved stands for what was drawn before", "[frame_buffer]") {
+    std::vector<std::uint8_t> texels(32 * 32 * 4, 0x80);
+    Frame frame  = halving(TargetFormat::R6G6B6A6, texels, 32, 32);
+    Pass before  = frame.passes[0];
+    before.color = {2};
+    before.state = {};
+    before.draws = {rectangle({0, 0, 16, 16}, 0xff00ff00)};
+    frame.passes.insert(frame.passes.begin() + 1, before);
+    const Frame got = rewritten(frame, &share_frame_buffer, "gamecube");
+    // Four values of 32 are 128, and that is 130 of 255.
+    for (const std::uint32_t pixel : pixels_of(got)) REQUIRE(pixel == 0xff828282);
+}
+
+TEST_CASE("what writes depth keeps to its limits", "[frame_buffer]") {
+    Frame frame     = parsed(R"(
+targets [
+    "picture" { format X8R8G8B8 width 64 height 64 }
+    "cloud" { format R6G6B6A6 width 64 height 64 }
+    "depth" { format D24 width 64 height 64 }
+]
+passes [
+    "ground" { color "picture" depth "depth" clear { color 0xff336699 depth 1 } }
+    "cloud" {
+        color "cloud" depth "depth"
+        state { depth { write true } scissor { x0 10 y0 12 x1 30 y1 33 } }
+        draws [ rectangle { x1 64 y1 64 depth 0.25 color 0x80ffffff } ]
+    }
+    "behind" {
+        color "picture" depth "depth"
+        state { depth { func GREATER } }
+        draws [ rectangle { x1 64 y1 64 depth 0.5 color 0xff994411 } ]
+    }
+]
+)");
+    const Frame got = rewritten(frame, &share_frame_buffer, "gamecube");
+    CHECK(differing_pixels(got, frame) == 0);
+    CHECK(lay_out(got, gamecube()).clashes.empty());
+}
+
 TEST_CASE("a frame that has room and reads no target is left alone, and so are other chips' and what is too large",
           "[frame_buffer]") {
     constexpr std::string_view kShown = R"(
@@ -358,7 +397,7 @@ TEST_CASE("random frames keep each byte, and fit in one buffer", "[frame_buffer]
     Profile chip                   = gamecube();
     chip.limits.frame_buffer_width = chip.limits.frame_buffer_height = 150;
     int apart = 0, in_one_place = 0, lost = 0;
-    for (std::uint32_t seed = 1; seed <= 3000; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 1000; ++seed) {
         INFO("seed " << seed);
         const Frame frame = with_starts(random_gamecube_frame(seed));
         RewriteNotes notes;
@@ -381,8 +420,8 @@ TEST_CASE("random frames keep each byte, and fit in one buffer", "[frame_buffer]
         ++(had_room ? apart : in_one_place);
         lost += !had_room && pixels_of(with_one_buffer(frame, chip)) != want;
     }
-    CHECK(apart > 100);
-    CHECK(in_one_place > 60);
+    CHECK(apart > 80);
+    CHECK(in_one_place > 20);
     CHECK(lost > 0);
 }
 

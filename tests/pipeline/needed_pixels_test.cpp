@@ -120,7 +120,7 @@ TEST_CASE("a texture is needed whole, where the pass reads it", "[needed_pixels]
 
 TEST_CASE("what is needed no more may hold anything, in random frames", "[needed_pixels]") {
     std::int64_t spoiled = 0;
-    for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 200; ++seed) {
         INFO("seed " << seed);
         const Frame frame = random_frame(seed);
         const auto want   = execute(frame).output;
@@ -141,12 +141,12 @@ TEST_CASE("what is needed no more may hold anything, in random frames", "[needed
             REQUIRE((execute(spoilt).output == want));
         }
     }
-    CHECK(spoiled > 100000);
+    CHECK(spoiled > 50000);
 }
 
 TEST_CASE("a target needs zeros where a pass is the first to use it, in random frames", "[needed_pixels]") {
     std::int64_t zeros = 0, others = 0;
-    for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 200; ++seed) {
         INFO("seed " << seed);
         const Frame frame = random_frame(seed);
         const auto want   = execute(frame).output;
@@ -172,7 +172,7 @@ TEST_CASE("a target needs zeros where a pass is the first to use it, in random f
             REQUIRE((execute(begun).output == want));
         }
     }
-    CHECK(zeros > 10000);
+    CHECK(zeros > 5000);
     CHECK(others > 2 * zeros);
 }
 
@@ -190,9 +190,23 @@ TEST_CASE("pixels are wanted where the picture depends on them", "[needed_pixels
     CHECK(wanted_text(frame, 0) == "0: 2 2 8 8 4 0 8 2 | 1: 2 2 8 8 4 0 8 2 | 2: 2 0 8 8 | 3: 0 0 8 8");
 }
 
+TEST_CASE("what depth depends on is wanted, though nobody sees the colours", "[needed_pixels]") {
+    const auto wanted = [](std::string_view state) {
+        return wanted_text(with_passes("\"hole\" { color \"picture\" depth \"depth\" state { "
+                                       "stages [ { color_op SELECTARG1 alpha_op SELECTARG1 } ] scissor { x1 4 y1 2 } " +
+                                       std::string(state) +
+                                       "} draws [ rectangle { x1 8 y1 8 textures [ { target \"other\" } ] } ] }"
+                                       "\"hide\" { color \"picture\" clear { color 0xff000000 } }"),
+                           1);
+    };
+    CHECK(wanted("depth { write true }") == "");
+    CHECK(wanted("alpha_test { func GREATER }") == "");
+    CHECK(wanted("depth { write true } alpha_test { func GREATER }") == "0: 0 0 4 2");
+}
+
 TEST_CASE("what is not wanted may hold anything, in random frames", "[needed_pixels]") {
     std::int64_t spoiled = 0;
-    for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 200; ++seed) {
         INFO("seed " << seed);
         const Frame frame = random_frame(seed);
         const auto wanted = wanted_pixels(frame);
@@ -209,5 +223,5 @@ TEST_CASE("what is not wanted may hold anything, in random frames", "[needed_pix
             }
         }
     }
-    CHECK(spoiled > 1000000);
+    CHECK(spoiled > 500000);
 }
