@@ -249,11 +249,14 @@ class BufferKeeper {
     }
 
     void copy_pass(Pass pass) {
-        if (pass.clear != Clear{}) {
+        if (pass.clear != Clear{} && is_in_buffer(pass.color)) {
             Pass clear = pass;
             clear.draws.clear();
             draw_pass(clear);
             pass.clear = {};
+            // The clear is done, so what the picture depends on afterwards is wanted now too.
+            wanted_[static_cast<std::size_t>(pass.color.index)][pass_].add(
+                without(wanted(pass.color, pass_ + 1), overwritten(frame_, pass)));
         }
         const std::vector<Draw> draws = std::move(pass.draws);
         pass.draws.clear();
@@ -271,6 +274,7 @@ class BufferKeeper {
             if (!is_open || frame_.passes.size() > present) {
                 frame_.passes.push_back(pass);
                 if (is_in_buffer(pass.color)) frame_.passes.back().color = copy_of(pass.color);
+                pass.clear = {};
             }
             frame_.passes.back().draws.push_back(draw);
             is_open = true;

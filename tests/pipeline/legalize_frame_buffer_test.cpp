@@ -212,6 +212,70 @@ passes [
 )");
 }
 
+TEST_CASE("what a pass cleared is kept while it copies a target that is brought back", "[frame_buffer]") {
+    check_rewrite(&share_frame_buffer, "gamecube", R"(
+targets [
+    "picture" { format X8R8G8B8 width 640 height 400 }
+    "part" { format R6G6B6A6 width 640 height 400 }
+]
+passes [
+    "part" { color "part" draws [ rectangle { x1 640 y1 400 color 0x80ffffff } ] }
+    "picture" {
+        color "picture" clear { color 0xff336699 }
+        draws [ copy { source "part" from { x0 8 y0 8 x1 24 y1 16 } x 16 y 8 } ]
+    }
+]
+)",
+                  R"(
+targets [
+    "picture" { format X8R8G8B8 width 640 height 400 }
+    "part" { format R6G6B6A6 width 640 height 400 }
+    "part, copy" { width 640 height 400 }
+    "picture, copy" { width 640 height 400 }
+]
+passes [
+    "part" { color "part" draws [ rectangle { x1 640 y1 400 color 0x80ffffff } ] }
+    "part: copied" {
+        color "part, copy"
+        draws [ copy { source "part" from { x0 8 y0 8 x1 24 y1 16 } x 8 y 8 } ]
+    }
+    "picture" { color "picture" clear { color 0xff336699 } }
+    "picture: copied" {
+        color "picture, copy"
+        draws [ copy { source "picture" from { x0 8 y0 8 x1 16 y1 16 } x 8 y 8 } ]
+    }
+    "part: brought back" {
+        color "part"
+        state { stages [ { color_op SELECTARG1 alpha_op SELECTARG1 address_u CLAMP address_v CLAMP } ] }
+        draws [
+            rectangle {
+                x0 8 y0 8 x1 24 y1 16
+                uv [ { u0 0.0125 v0 0.02 u1 0.0375 v1 0.04 } ] textures [ { target "part, copy" } ]
+            }
+        ]
+    }
+    "picture: copied" {
+        color "picture, copy"
+        draws [ copy { source "picture" from { x0 24 y0 8 x1 32 y1 16 } x 24 y 8 } ]
+    }
+    "picture" {
+        color "picture, copy"
+        draws [ copy { source "part" from { x0 8 y0 8 x1 24 y1 16 } x 16 y 8 } ]
+    }
+    "picture: brought back" {
+        color "picture"
+        state { stages [ { color_op SELECTARG1 alpha_op SELECTARG1 address_u CLAMP address_v CLAMP } ] }
+        draws [
+            rectangle {
+                x0 8 y0 8 x1 32 y1 16
+                uv [ { u0 0.0125 v0 0.02 u1 0.05 v1 0.04 } ] textures [ { target "picture, copy" } ]
+            }
+        ]
+    }
+]
+)");
+}
+
 TEST_CASE("a rectangle that halves a target becomes a copy that halves, in tiles", "[frame_buffer]") {
     constexpr std::string_view kBefore = R"(
 targets [
@@ -397,7 +461,7 @@ TEST_CASE("random frames keep each byte, and fit in one buffer", "[frame_buffer]
     Profile chip                   = gamecube();
     chip.limits.frame_buffer_width = chip.limits.frame_buffer_height = 150;
     int apart = 0, in_one_place = 0, lost = 0;
-    for (std::uint32_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 3000; ++seed) {
         INFO("seed " << seed);
         const Frame frame = with_starts(random_gamecube_frame(seed));
         RewriteNotes notes;
@@ -439,5 +503,5 @@ TEST_CASE("no target of the buffer is read as a texture, whatever the frame", "[
         read += finds(frame);
         REQUIRE_FALSE(finds(rewritten(frame, &share_frame_buffer, "gamecube")));
     }
-    CHECK(read > 50);
+    CHECK(read > 40);
 }
