@@ -5,7 +5,7 @@
 // canyon, plume, sunset and inside. --passes prints a line for each pass.
 // Wine does not cut corners to 1/16 pixel as the chip does, so that edges move by as much, twice what the frame's own rounding
 // moves them by: more pixels may be at edges than with OpenGL.
-// Exit status 1 if a scene differs by more than its bounds, 2 for bad input, 77 if a program that is needed is not there.
+// Exit status 1 if a scene differs by more than its bounds, 2 for bad input, 77 if a program that is needed is not there, or Wine does not start.
 // Not compared: passes to targets of 16 bits, as the API does not say how they round.
 #include <algorithm>
 #include <cstdio>
@@ -80,6 +80,8 @@ class Run {
   public:
     explicit Run(bool prints_passes) : prints_passes_(prints_passes) {}
 
+    bool can_start() const { return runner_.can_run(); }
+
     void compare(const std::string& name, Frame frame) {
         LegalFrame legal = legalize(std::move(frame), *find_profile("dx7"));
         for (const ChipFinding& finding : legal.left)
@@ -142,6 +144,10 @@ int run(const Arguments& arguments) {
         return 77;
     }
     Run run(arguments.prints_passes);
+    if (!run.can_start()) {
+        std::fprintf(stderr, "nimbus7_d3d7: Wine does not start on this machine\n");
+        return 77;
+    }
     for (const std::string& scene : arguments.scenes) {
         const demo::FrameSource source(scene);
         run.compare(source.name(),

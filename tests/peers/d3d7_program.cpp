@@ -75,6 +75,10 @@ tests::Ended D3d7Runner::call(const std::vector<std::string>& words) const {
     return tests::run_program("/usr/bin/env", arguments, scratch_.path());
 }
 
+bool D3d7Runner::can_run() const {
+    return call({"xvfb-run", "-a", "wine", "cmd", "/c", "exit 0"}).status == 0;
+}
+
 std::vector<ColorImage> D3d7Runner::run(const LegalFrame& legal) {
     const Emitted emitted = emit_dx7(legal, "frame.bin");
     tests::write_file(scratch_ / "frame.cpp", emitted.text);

@@ -23,6 +23,9 @@ class D3d7Runner {
     D3d7Runner(const D3d7Runner&)            = delete;
     D3d7Runner& operator=(const D3d7Runner&) = delete;
 
+    // Does Wine start here at all? A container may forbid what it needs.
+    bool can_run() const;
+
     // What each pass leaves in its colour target; an empty image for those without one. Throws std::runtime_error with
     // what the compiler or the program said.
     std::vector<pipeline::ColorImage> run(const pipeline::LegalFrame& legal);
