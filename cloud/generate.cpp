@@ -2,11 +2,12 @@
 #include "cloud/generate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "cloud/particle_mesh.h"
+#include "cloud/wide_loops.h"
 
 namespace cloud {
 namespace {
@@ -48,6 +49,96 @@ Vec3 direction(const Azimuth& azimuth, float sine_of_elevation) {
     return Vec3(level * static_cast<float>(azimuth.cosine), e, level * static_cast<float>(azimuth.sine));
 }
 
+// Points spread over a unit sphere, by which the buried share of a particle is measured; the last once more, up to a whole
+// number of vectors.
+constexpr std::uint32_t kSurfacePoints = icosphere_vertices(1);
+struct SurfacePoints {
+    static constexpr std::size_t kSize = (kSurfacePoints + 7) / 8 * 8;
+    std::array<float, kSize> x, y, z;
+};
+
+const SurfacePoints& surface_points() {
+    static const SurfacePoints points = [] {
+        SurfacePoints made;
+        for (std::size_t i = 0; i < SurfacePoints::kSize; ++i) {
+            const Vec3 d = icosphere().directions[std::min<std::size_t>(i, kSurfacePoints - 1)];
+            made.x[i] = d.x, made.y[i] = d.y, made.z[i] = d.z;
+        }
+        return made;
+    }();
+    return points;
+}
+
+// Particles, coordinate by coordinate.
+class Crowd {
+  public:
+    void add(const Particle& particle) {
+        x_.push_back(particle.center.x), y_.push_back(particle.center.y), z_.push_back(particle.center.z);
+        radius_.push_back(particle.radius);
+    }
+
+    // How many of the particle's surface points lie inside any of these; with more than `enough` it need not go on.
+    int buried_points(const Particle& particle, float enough) const {
+        int buried = 0;
+        with_wide_loops([&] { buried = count_buried(particle.center, particle.radius, enough); });
+        return buried;
+    }
+
+  private:
+    // The search goes by blocks, so that the first ones, which are the largest, can decide.
+    static constexpr std::size_t kBlock = 64;
+
+    int count_buried(Vec3 center, float radius, float enough) const {
+        constexpr std::size_t kSize = SurfacePoints::kSize;
+        const SurfacePoints& unit   = surface_points();
+        float px[kSize], py[kSize], pz[kSize];
+        std::uint32_t is_buried[kSize];
+        for (std::size_t i = 0; i < kSize; ++i) {
+            px[i] = center.x + unit.x[i] * radius, py[i] = center.y + unit.y[i] * radius;
+            pz[i] = center.z + unit.z[i] * radius, is_buried[i] = 0;
+        }
+        int buried = 0;
+        for (std::size_t first = 0; first < radius_.size(); first += kBlock) {
+            const std::size_t count = std::min(radius_.size() - first, kBlock);
+            const float *x = &x_[first], *y = &y_[first], *z = &z_[first], *r = &radius_[first];
+            std::uint32_t near[kBlock];
+            for (std::size_t j = 0; j < count; ++j) {
+                const float dx = center.x - x[j], dy = center.y - y[j], dz = center.z - z[j];
+                // The margin is wider than any rounding.
+                const float reach =
+                    (radius + r[j]) * 1.001f + 1e-6f * (std::abs(x[j]) + std::abs(y[j]) + std::abs(z[j]));
+                near[j] = dx * dx + dy * dy + dz * dz < reach * reach ? 1u : 0u;
+            }
+            std::size_t near_count = 0;
+            for (std::uint32_t j = 0; j < count; ++j) {
+                const std::uint32_t is_near = near[j];
+                near[near_count]            = j;
+                near_count += is_near;
+            }
+            if (near_count == 0) continue;
+            for (std::size_t n = 0; n < near_count; ++n) {
+                const std::size_t j = near[n];
+                const float cx = x[j], cy = y[j], cz = z[j], r2 = r[j] * r[j];
+                for (std::size_t i = 0; i < kSize; ++i) {
+                    const float dx = px[i] - cx, dy = py[i] - cy, dz = pz[i] - cz;
+                    is_buried[i] |= dx * dx + dy * dy + dz * dz < r2 ? 1u : 0u;
+                }
+            }
+            std::uint32_t sum = 0;
+            for (std::size_t i = 0; i < kSurfacePoints; ++i) sum += is_buried[i];
+            buried = static_cast<int>(sum);
+            if (static_cast<float>(buried) > enough) break;
+        }
+        return buried;
+    }
+
+    std::vector<float> x_, y_, z_, radius_;
+};
+
+float share_of(int surface_points) {
+    return static_cast<float>(surface_points) / static_cast<float>(kSurfacePoints);
+}
+
 class Grower {
   public:
     Grower(std::span<const Particle> cores, const Growth& growth)
@@ -55,6 +146,7 @@ class Grower {
         for (Particle& core : particles_) {
             core.generation = 0;
             core_radius_.push_back(core.radius);
+            crowd_.add(core);
         }
     }
 
@@ -96,8 +188,11 @@ class Grower {
             next                  = next.turned_by(kGoldenAngle);
             child.center =
                 parent.center + direction(azimuth, rule.lowest + rule.rise * t) * (parent.radius * rule.seat);
-            if (buried_share(child, particles_) > rule.greatest_burial) continue;
+            // Any more than a point over the limit is too many, however the share rounds.
+            const float enough = rule.greatest_burial * static_cast<float>(kSurfacePoints) + 1.0f;
+            if (share_of(crowd_.buried_points(child, enough)) > rule.greatest_burial) continue;
             particles_.push_back(child);
+            crowd_.add(child);
             core_radius_.push_back(core_radius_[which]);
             return true;
         }
@@ -116,6 +211,7 @@ class Grower {
     }
 
     std::vector<Particle> particles_;
+    Crowd crowd_;                     // the same
     std::vector<float> core_radius_;  // of the core that each descends from
     float jitter_;
     std::uint32_t random_;
@@ -124,22 +220,9 @@ class Grower {
 }  // namespace
 
 float buried_share(const Particle& particle, std::span<const Particle> others) {
-    constexpr int kLevel = 1;
-    int buried           = 0;
-    std::vector<Vec4> near;  // centre, radius squared; the margin is wider than any rounding
-    for (const Particle& other : others) {
-        const Vec3 d      = particle.center - other.center;
-        const float reach = (particle.radius + other.radius) * 1.001f + 1e-6f * glm::length(other.center);
-        if (glm::dot(d, d) < reach * reach) near.emplace_back(other.center, other.radius * other.radius);
-    }
-    for (std::uint32_t i = 0; i < icosphere_vertices(kLevel); ++i) {
-        const Vec3 p = particle.center + icosphere().directions[i] * particle.radius;
-        buried += std::any_of(near.begin(), near.end(), [&](const Vec4& sphere) {
-            const Vec3 d = p - Vec3(sphere);
-            return glm::dot(d, d) < sphere.w;
-        });
-    }
-    return static_cast<float>(buried) / static_cast<float>(icosphere_vertices(kLevel));
+    Crowd crowd;
+    for (const Particle& other : others) crowd.add(other);
+    return share_of(crowd.buried_points(particle, static_cast<float>(kSurfacePoints)));
 }
 
 std::vector<Particle> grow(std::span<const Particle> cores, const Growth& growth) {

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/wide_loops.h"
+
 namespace cloud {
 namespace {
 
 // Hashes one more coordinate of a lattice point into h.
-std::uint32_t mix(std::uint32_t h, std::int32_t coordinate) {
+inline std::uint32_t mix(std::uint32_t h, std::int32_t coordinate) {
     h = (h ^ static_cast<std::uint32_t>(coordinate)) * 0x85ebca6bu;
     return h ^ (h >> 15);
 }
@@ -22,31 +24,51 @@ const float (&lattice_edge(std::uint32_t hash))[3] {
     return kEdges[(hash * 0xc2b2ae35u) >> 28];
 }
 
-// Its dot product with (x, y, z).
-float lattice_gradient(std::uint32_t hash, float x, float y, float z) {
-    const auto& edge = lattice_edge(hash);
-    return edge[0] * x + edge[1] * y + edge[2] * z;
+// Its dot product with (x, y, z). An edge has two coordinates of 1 or -1 and one of 0; choices in place of the table let
+// several be computed at once.
+inline float lattice_gradient(std::uint32_t hash, float x, float y, float z) {
+    const std::uint32_t edge = (hash * 0xc2b2ae35u) >> 28;
+    const float first        = edge < 8 ? x : y;
+    const float xz           = (edge & 13u) == 12u ? x : z;
+    const float second       = edge < 4 ? y : xz;
+    return (edge & 1u ? -first : first) + (edge & 2u ? -second : second);
 }
 
-std::int32_t floor_to_int(float v) {
+inline std::int32_t floor_to_int(float v) {
     const auto truncated = static_cast<std::int32_t>(v);
     return truncated - (v < static_cast<float>(truncated) ? 1 : 0);
 }
 
 // 6t^5 - 15t^4 + 10t^3: no jump in slope or curvature where cells meet.
-float fade(float t) {
+inline float fade(float t) {
     return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
 }
 
-float lerp(float a, float b, float t) {
+inline float lerp(float a, float b, float t) {
     return a + (b - a) * t;
 }
 
 // Shifted, so that the octaves' zeros at integer points do not coincide.
 constexpr Vec3 kOctaveShift(0.371f, 0.613f, 0.137f);
 
-std::uint32_t start_hash(std::uint32_t seed) {
+inline std::uint32_t start_hash(std::uint32_t seed) {
     return seed * 0x9e3779b1u + 0x7f4a7c15u;
+}
+
+// seeded: start_hash of the seed.
+inline float noise_at(float px, float py, float pz, std::uint32_t seeded) {
+    const std::int32_t x = floor_to_int(px), y = floor_to_int(py), z = floor_to_int(pz);
+    const float fx = px - static_cast<float>(x), fy = py - static_cast<float>(y), fz = pz - static_cast<float>(z);
+    const float u = fade(fx), v = fade(fy), w = fade(fz);
+    const auto along_z = [&](std::uint32_t hash_y, float from_x, float from_y) {
+        return lerp(lattice_gradient(mix(hash_y, z), from_x, from_y, fz),
+                    lattice_gradient(mix(hash_y, z + 1), from_x, from_y, fz - 1.0f), w);
+    };
+    const auto along_y = [&](std::uint32_t hash_x, float from_x) {
+        return lerp(along_z(mix(hash_x, y), from_x, fy), along_z(mix(hash_x, y + 1), from_x, fy - 1.0f), v);
+    };
+    const float noise = lerp(along_y(mix(seeded, x), fx), along_y(mix(seeded, x + 1), fx - 1.0f), u);
+    return least(greatest(noise, -1.0f), 1.0f);
 }
 
 float billow_of(float noise) {
@@ -68,26 +90,38 @@ float sum_octaves(Vec3 p, int octaves, float gain, std::uint32_t seed, Octave&& 
 }  // namespace
 
 float gradient_noise(Vec3 p, std::uint32_t seed) {
-    const std::int32_t x = floor_to_int(p.x), y = floor_to_int(p.y), z = floor_to_int(p.z);
-    const float fx = p.x - static_cast<float>(x), fy = p.y - static_cast<float>(y), fz = p.z - static_cast<float>(z);
-    const float u = fade(fx), v = fade(fy), w = fade(fz);
-    const std::uint32_t seeded = start_hash(seed);
-    float at_x[2], at_y[2];
-    for (int dx : {0, 1}) {
-        const std::uint32_t hash_x = mix(seeded, x + dx);
-        for (int dy : {0, 1}) {
-            const std::uint32_t hash_y = mix(hash_x, y + dy);
-            const float from_x = fx - static_cast<float>(dx), from_y = fy - static_cast<float>(dy);
-            at_y[dy] = lerp(lattice_gradient(mix(hash_y, z), from_x, from_y, fz),
-                            lattice_gradient(mix(hash_y, z + 1), from_x, from_y, fz - 1.0f), w);
-        }
-        at_x[dx] = lerp(at_y[0], at_y[1], v);
-    }
-    return std::clamp(lerp(at_x[0], at_x[1], u), -1.0f, 1.0f);
+    return noise_at(p.x, p.y, p.z, start_hash(seed));
 }
 
 float fbm(Vec3 p, int octaves, float gain, std::uint32_t seed) {
     return sum_octaves(p, octaves, gain, seed, [](float noise) { return noise; });
+}
+
+void fbm(std::span<const Vec3> points, int octaves, float gain, std::uint32_t seed, std::span<float> sums) {
+    constexpr std::size_t kTogether = 64;
+    with_wide_loops([&] {
+        for (std::size_t first = 0; first < points.size(); first += kTogether) {
+            const std::size_t count = std::min(points.size() - first, kTogether);
+            float x[kTogether], y[kTogether], z[kTogether], sum[kTogether];
+            for (std::size_t i = 0; i < kTogether; ++i) {
+                const Vec3& p = points[first + std::min(i, count - 1)];
+                x[i] = p.x, y[i] = p.y, z[i] = p.z, sum[i] = 0.0f;
+            }
+            float amplitude = 1.0f, total = 0.0f;
+            for (int octave = 0; octave < octaves; ++octave) {
+                const std::uint32_t seeded = start_hash(seed + static_cast<std::uint32_t>(octave));
+                for (std::size_t i = 0; i < kTogether; ++i) {
+                    sum[i] += amplitude * noise_at(x[i], y[i], z[i], seeded);
+                    x[i] = x[i] * 2.0f + kOctaveShift.x;
+                    y[i] = y[i] * 2.0f + kOctaveShift.y;
+                    z[i] = z[i] * 2.0f + kOctaveShift.z;
+                }
+                total += amplitude;
+                amplitude *= gain;
+            }
+            for (std::size_t i = 0; i < count; ++i) sums[first + i] = total > 0.0f ? sum[i] / total : 0.0f;
+        }
+    });
 }
 
 float billow(Vec3 p, int octaves, float gain, std::uint32_t seed) {

@@ -19,6 +19,9 @@ float gradient_noise(Vec3 p, std::uint32_t seed);
 // Each octave has twice the frequency of the one before and `gain` times its amplitude.
 float fbm(Vec3 p, int octaves, float gain, std::uint32_t seed);
 
+// fbm of each of the points, which `sums` has a place for: the same values, several points at once.
+void fbm(std::span<const Vec3> points, int octaves, float gain, std::uint32_t seed, std::span<float> sums);
+
 // Octaves of 1 - 2|noise|: round lumps between sharp folds.
 float billow(Vec3 p, int octaves, float gain, std::uint32_t seed);
 

@@ -89,12 +89,14 @@ ParticleMesh shape_particle(const Cloud& cloud, std::size_t index) {
     const Particle& particle        = cloud.particles[index];
     const Icosphere& sphere         = icosphere();
     ParticleMesh mesh;
+    mesh.positions.reserve(sphere.directions.size());
     const Vec3 offset = Vec3(17.31f, 5.17f, 9.73f) * static_cast<float>(index % 4096);
-    for (const Vec3& d : sphere.directions) {
-        const float lump = fbm(d * kLumpsPerRadius + offset, 2, 0.5f, cloud.fractal.seed);
-        mesh.lumps.push_back(lump);
-        const Vec3 offset_m = particle.shape * (d * (particle.radius * (1.0f + cloud.lumpiness * lump)));
-        mesh.positions.push_back(squash(particle.center + offset_m, cloud.base_y));
+    for (const Vec3& d : sphere.directions) mesh.positions.push_back(d * kLumpsPerRadius + offset);
+    mesh.lumps.resize(mesh.positions.size());
+    fbm(mesh.positions, 2, 0.5f, cloud.fractal.seed, mesh.lumps);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const float length = particle.radius * (1.0f + cloud.lumpiness * mesh.lumps[i]);
+        mesh.positions[i]  = squash(particle.center + particle.shape * (sphere.directions[i] * length), cloud.base_y);
     }
     // The sum of the triangles' normals, each as long as its triangle is large, follows lumps and base alike.
     mesh.normals.assign(mesh.positions.size(), Vec3(0.0f));

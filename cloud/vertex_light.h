@@ -33,7 +33,4 @@ struct LitParticles {
 };
 LitParticles light_particles(const Cloud& cloud, const Daylight& light, const ForEach& for_each = one_by_one);
 
-// exp(-x) for x >= 0, in a fixed order of products: relative error below 1e-6, and 0 beyond 40.
-float exp_of_minus(float x);
-
 }  // namespace cloud

@@ -13,6 +13,7 @@
 
 #include "cloud/baselines/surface_color.h"
 #include "cloud/bounds.h"
+#include "cloud/exp_of_minus.h"
 #include "cloud/mega_particles/cloud_draw.h"
 #include "cloud/noise.h"
 #include "cloud/particle_mesh.h"

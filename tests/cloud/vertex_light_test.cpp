@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "cloud/exp_of_minus.h"
 #include "cloud/particle_mesh.h"
 #include "tests/cloud/cumulus.h"
 
