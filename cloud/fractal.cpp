@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cloud/noise.h"
+#include "cloud/wide_loops.h"
 
 namespace cloud {
 namespace {
@@ -48,37 +49,42 @@ std::vector<float> evaluate_noise(const Fractal& fractal, Vec3 box_size, const F
     return values;
 }
 
-// Replaces each value by the share of values below it: 0..1, evenly spread. Equal values stay equal.
-void equalize(std::vector<float>& values) {
-    constexpr std::size_t kBins = 4096;
-    const auto [low, high]      = std::minmax_element(values.begin(), values.end());
-    const float lowest = *low, range = *high - *low;
-    if (!(range > 0.0f)) {
-        std::fill(values.begin(), values.end(), 0.5f);
-        return;
-    }
-    const auto bin_of = [&](float v) {
-        return std::min(static_cast<std::size_t>((v - lowest) / range * static_cast<float>(kBins)), kBins - 1);
-    };
-    std::vector<double> share(kBins, 0.0);
-    for (float v : values) share[bin_of(v)] += 1.0;
-    double below = 0.0;
-    for (double& bin : share) {
-        const double in_bin = bin;
-        bin                 = (below + 0.5 * in_bin) / static_cast<double>(values.size());
-        below += in_bin;
-    }
-    for (float& v : values) v = static_cast<float>(share[bin_of(v)]);
-}
-
 std::uint8_t encode(float n, FractalCode code) {
     if (code == FractalCode::Half) return static_cast<std::uint8_t>(std::min(n * 128.0f, 127.0f));
     return static_cast<std::uint8_t>(std::min(0.6f + 0.8f * n, 1.0f) * 255.0f + 0.5f);
 }
 
+// The code of the share of values below each: 0..1, evenly spread. Equal values stay equal.
+std::vector<std::uint8_t> equalize(const std::vector<float>& values, FractalCode code) {
+    constexpr std::uint32_t kBins = 4096;
+    const auto [low, high]        = std::minmax_element(values.begin(), values.end());
+    const float lowest = *low, range = *high - *low;
+    if (!(range > 0.0f)) return std::vector<std::uint8_t>(values.size(), encode(0.5f, code));
+    std::vector<std::uint16_t> bins(values.size());
+    with_wide_loops([&] {
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            const auto bin = static_cast<std::int32_t>((values[i] - lowest) / range * static_cast<float>(kBins));
+            bins[i] = static_cast<std::uint16_t>(std::min<std::uint32_t>(static_cast<std::uint32_t>(bin), kBins - 1));
+        }
+    });
+    std::vector<std::uint32_t> counts(kBins, 0);
+    for (const std::uint16_t bin : bins) ++counts[bin];
+    std::array<std::uint8_t, kBins> codes;
+    double below = 0.0;
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+        const double in_bin = counts[bin], share = (below + 0.5 * in_bin) / static_cast<double>(values.size());
+        codes[bin] = encode(static_cast<float>(share), code);
+        below += in_bin;
+    }
+    std::vector<std::uint8_t> texels(values.size());
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = codes[bins[i]];
+    return texels;
+}
+
 std::vector<std::uint8_t> halve(const std::vector<std::uint8_t>& fine, int fine_size) {
     const int size = fine_size / 2;
     std::vector<std::uint8_t> coarse;
+    coarse.reserve(static_cast<std::size_t>(size) * size);
     for (int row = 0; row < size; ++row)
         for (int column = 0; column < size; ++column) {
             const std::size_t at = static_cast<std::size_t>(2 * row) * fine_size + 2 * column;
@@ -121,12 +127,14 @@ int fractal_levels(int face_size) {
 }
 
 FractalFaces make_fractal(const Fractal& fractal, Vec3 box_size, FractalCode code, const ForEach& for_each) {
-    std::vector<float> values = evaluate_noise(fractal, box_size, for_each);
-    equalize(values);
-    const std::size_t texels = static_cast<std::size_t>(fractal.face_size) * fractal.face_size;
+    const std::vector<std::uint8_t> finest = equalize(evaluate_noise(fractal, box_size, for_each), code);
+    const std::ptrdiff_t texels            = static_cast<std::ptrdiff_t>(fractal.face_size) * fractal.face_size;
     FractalFaces level, all;
-    for (std::size_t face = 0; face < level.size(); ++face)
-        for (std::size_t i = 0; i < texels; ++i) level[face].push_back(encode(values[face * texels + i], code));
+    for (std::size_t face = 0; face < level.size(); ++face) {
+        const auto first = finest.begin() + static_cast<std::ptrdiff_t>(face) * texels;
+        level[face].assign(first, first + texels);
+        all[face].reserve(level[face].size() * 4 / 3 + 1);
+    }
     for (int size = fractal.face_size;; size /= 2) {
         for (std::size_t face = 0; face < level.size(); ++face)
             all[face].insert(all[face].end(), level[face].begin(), level[face].end());

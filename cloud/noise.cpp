@@ -15,17 +15,8 @@ inline std::uint32_t mix(std::uint32_t h, std::int32_t coordinate) {
     return h ^ (h >> 15);
 }
 
-// One of the 12 directions to the edges of a cube; 4 of them serve twice.
-const float (&lattice_edge(std::uint32_t hash))[3] {
-    static constexpr float kEdges[16][3] = {
-        {1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {1, 0, 1}, {-1, 0, 1}, {1, 0, -1}, {-1, 0, -1},
-        {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}, {1, 1, 0}, {0, -1, 1}, {-1, 1, 0}, {0, -1, -1},
-    };
-    return kEdges[(hash * 0xc2b2ae35u) >> 28];
-}
-
-// Its dot product with (x, y, z). An edge has two coordinates of 1 or -1 and one of 0; choices in place of the table let
-// several be computed at once.
+// The dot product of (x, y, z) with one of the 12 directions to the edges of a cube; 4 of them serve twice. Two of a
+// direction's coordinates are 1 or -1 and one is 0; choices in place of a table let several be computed at once.
 inline float lattice_gradient(std::uint32_t hash, float x, float y, float z) {
     const std::uint32_t edge = (hash * 0xc2b2ae35u) >> 28;
     const float first        = edge < 8 ? x : y;
@@ -55,11 +46,9 @@ inline std::uint32_t start_hash(std::uint32_t seed) {
     return seed * 0x9e3779b1u + 0x7f4a7c15u;
 }
 
-// seeded: start_hash of the seed.
-inline float noise_at(float px, float py, float pz, std::uint32_t seeded) {
-    const std::int32_t x = floor_to_int(px), y = floor_to_int(py), z = floor_to_int(pz);
-    const float fx = px - static_cast<float>(x), fy = py - static_cast<float>(y), fz = pz - static_cast<float>(z);
-    const float u = fade(fx), v = fade(fy), w = fade(fz);
+// In a cell, f along each axis, with the weights u, v, w of the far ends. seeded: start_hash of the seed.
+inline float noise_in_cell(std::int32_t x, std::int32_t y, std::int32_t z, float fx, float fy, float fz, float u,
+                           float v, float w, std::uint32_t seeded) {
     const auto along_z = [&](std::uint32_t hash_y, float from_x, float from_y) {
         return lerp(lattice_gradient(mix(hash_y, z), from_x, from_y, fz),
                     lattice_gradient(mix(hash_y, z + 1), from_x, from_y, fz - 1.0f), w);
@@ -71,7 +60,13 @@ inline float noise_at(float px, float py, float pz, std::uint32_t seeded) {
     return least(greatest(noise, -1.0f), 1.0f);
 }
 
-float billow_of(float noise) {
+inline float noise_at(float px, float py, float pz, std::uint32_t seeded) {
+    const std::int32_t x = floor_to_int(px), y = floor_to_int(py), z = floor_to_int(pz);
+    const float fx = px - static_cast<float>(x), fy = py - static_cast<float>(y), fz = pz - static_cast<float>(z);
+    return noise_in_cell(x, y, z, fx, fy, fz, fade(fx), fade(fy), fade(fz), seeded);
+}
+
+inline float billow_of(float noise) {
     return 1.0f - 2.0f * std::abs(noise);
 }
 
@@ -136,8 +131,6 @@ NoiseLattice::NoiseLattice(const std::array<std::vector<float>, 3>& coordinates,
             Axis& seen = octave[static_cast<std::size_t>(axis)];
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const std::int32_t cell = floor_to_int(points[i]);
-                if (seen.runs.empty() || seen.runs.back().cell != cell) seen.runs.push_back({cell, i, i});
-                ++seen.runs.back().end;
                 seen.cells.push_back(cell);
                 seen.places.push_back(points[i] - static_cast<float>(cell));
                 seen.weights.push_back(fade(seen.places.back()));
@@ -147,75 +140,26 @@ NoiseLattice::NoiseLattice(const std::array<std::vector<float>, 3>& coordinates,
     }
 }
 
-// As gradient_noise. An edge has two coordinates of 1 or -1 and one of 0, so its dot product is a single sum of two
-// numbers, and those of its terms that are the same all along the row can be added first.
-template <std::size_t kAlong, class Take>
-void NoiseLattice::for_each_noise(const Octave& axes, Point point, std::uint32_t seed, Take&& take) {
-    constexpr std::size_t kOther = kAlong == 0 ? 1 : 0, kLast = kAlong == 2 ? 1 : 2;
-    const std::int32_t cell_o = axes[kOther].cells[point[kOther]], cell_l = axes[kLast].cells[point[kLast]];
-    const float place_o = axes[kOther].places[point[kOther]], place_l = axes[kLast].places[point[kLast]];
-    const float weight_o = axes[kOther].weights[point[kOther]], weight_l = axes[kLast].weights[point[kLast]];
+// The other two coordinates are the same all along the row.
+template <std::size_t kAlong, class Add>
+void NoiseLattice::for_each_noise(const Octave& axes, Point point, std::uint32_t seed, Add&& add) {
     const std::uint32_t start = start_hash(seed);
-
-    // The four corners at one end of a cell of the row: [far along kOther][far along kLast].
-    struct Corner {
-        float slope, rest;
-    };
-    struct End {
-        Corner corners[2][2];
-    };
-    const auto end_at = [&](std::int32_t cell_along) {
-        End end;
-        for (int o : {0, 1})
-            for (int l : {0, 1}) {
-                std::int32_t cell[3];
-                cell[kAlong] = cell_along, cell[kOther] = cell_o + o, cell[kLast] = cell_l + l;
-                const auto& edge  = lattice_edge(mix(mix(mix(start, cell[0]), cell[1]), cell[2]));
-                end.corners[o][l] = {edge[kAlong], edge[kOther] * (place_o - static_cast<float>(o)) +
-                                                       edge[kLast] * (place_l - static_cast<float>(l))};
-            }
-        return end;
-    };
-    const Axis& row            = axes[kAlong];
-    const float* const places  = row.places.data();
-    const float* const weights = row.weights.data();
-    End near{}, far{};
-    const Run* before = nullptr;
-    for (const Run& run : row.runs) {
-        near   = before != nullptr && run.cell == before->cell + 1 ? far : end_at(run.cell);
-        far    = end_at(run.cell + 1);
-        before = &run;
-        for (std::size_t i = run.first; i < run.end; ++i) {
-            const float place = places[i], weight = weights[i];
-            const auto near_at = [&](int o, int l) {
-                return near.corners[o][l].slope * place + near.corners[o][l].rest;
-            };
-            const auto far_at = [&](int o, int l) {
-                return far.corners[o][l].slope * (place - 1.0f) + far.corners[o][l].rest;
-            };
-            // z first, then y, then x.
-            float noise;
-            if constexpr (kAlong == 2) {
-                const auto at_x = [&](int x) {
-                    return lerp(lerp(near_at(x, 0), far_at(x, 0), weight), lerp(near_at(x, 1), far_at(x, 1), weight),
-                                weight_l);
-                };
-                noise = lerp(at_x(0), at_x(1), weight_o);
-            } else if constexpr (kAlong == 1) {
-                const auto at_x = [&](int x) {
-                    return lerp(lerp(near_at(x, 0), near_at(x, 1), weight_l),
-                                lerp(far_at(x, 0), far_at(x, 1), weight_l), weight);
-                };
-                noise = lerp(at_x(0), at_x(1), weight_o);
-            } else {
-                noise = lerp(lerp(lerp(near_at(0, 0), near_at(0, 1), weight_l),
-                                  lerp(near_at(1, 0), near_at(1, 1), weight_l), weight_o),
-                             lerp(lerp(far_at(0, 0), far_at(0, 1), weight_l),
-                                  lerp(far_at(1, 0), far_at(1, 1), weight_l), weight_o),
-                             weight);
-            }
-            take(i, std::clamp(noise, -1.0f, 1.0f));
-        }
+    std::int32_t cell[3];
+    float place[3], weight[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t at = axis == kAlong ? 0 : point[axis];
+        cell[axis]           = axes[axis].cells[at];
+        place[axis] = axes[axis].places[at], weight[axis] = axes[axis].weights[at];
+    }
+    const std::size_t size          = axes[kAlong].cells.size();
+    const std::int32_t* const cells = axes[kAlong].cells.data();
+    const float *const places = axes[kAlong].places.data(), *const weights = axes[kAlong].weights.data();
+    for (std::size_t i = 0; i < size; ++i) {
+        const auto cell_of   = [&](std::size_t axis) { return axis == kAlong ? cells[i] : cell[axis]; };
+        const auto place_of  = [&](std::size_t axis) { return axis == kAlong ? places[i] : place[axis]; };
+        const auto weight_of = [&](std::size_t axis) { return axis == kAlong ? weights[i] : weight[axis]; };
+        add(i, noise_in_cell(cell_of(0), cell_of(1), cell_of(2), place_of(0), place_of(1), place_of(2), weight_of(0),
+                             weight_of(1), weight_of(2), start));
     }
 }
 
@@ -225,22 +169,24 @@ std::vector<float> NoiseLattice::row(std::size_t along, Point point, float gain,
     std::vector<float> sums(octaves_.empty() ? 0 : octaves_[0][along].places.size(), 0.0f);
     float* const values = sums.data();
     float amplitude = 1.0f, total = 0.0f;
-    for (const Octave& axes : octaves_) {
-        const auto add = [=](std::size_t i, float noise) { values[i] += amplitude * of_noise(noise); };
-        switch (along) {
-            case 0:
-                for_each_noise<0>(axes, point, seed, add);
-                break;
-            case 1:
-                for_each_noise<1>(axes, point, seed, add);
-                break;
-            default:
-                for_each_noise<2>(axes, point, seed, add);
+    with_wide_loops([&] {
+        for (const Octave& axes : octaves_) {
+            const auto add = [=](std::size_t i, float noise) { values[i] += amplitude * of_noise(noise); };
+            switch (along) {
+                case 0:
+                    for_each_noise<0>(axes, point, seed, add);
+                    break;
+                case 1:
+                    for_each_noise<1>(axes, point, seed, add);
+                    break;
+                default:
+                    for_each_noise<2>(axes, point, seed, add);
+            }
+            ++seed;
+            total += amplitude;
+            amplitude *= gain;
         }
-        ++seed;
-        total += amplitude;
-        amplitude *= gain;
-    }
+    });
     for (float& sum : sums) sum = sum / total;
     return sums;
 }
@@ -250,7 +196,7 @@ std::vector<float> NoiseLattice::fbm_row(std::size_t along, Point point, float g
 }
 
 std::vector<float> NoiseLattice::billow_row(std::size_t along, Point point, float gain, std::uint32_t seed) const {
-    return row(along, point, gain, seed, billow_of);
+    return row(along, point, gain, seed, [](float noise) { return billow_of(noise); });
 }
 
 }  // namespace cloud

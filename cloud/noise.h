@@ -26,7 +26,7 @@ void fbm(std::span<const Vec3> points, int octaves, float gain, std::uint32_t se
 float billow(Vec3 p, int octaves, float gain, std::uint32_t seed);
 
 // The same sums at the points of a lattice, a row at a time: the same bits, several times faster, for each coordinate is
-// looked at once, and a cell's gradients once for all points of a row in it.
+// looked at once, and several points of a row are computed at once.
 class NoiseLattice {
   public:
     // coordinates: those of the points along x, y and z, ascending.
@@ -38,24 +38,18 @@ class NoiseLattice {
     std::vector<float> billow_row(std::size_t along, Point point, float gain, std::uint32_t seed) const;
 
   private:
-    // Neighbouring coordinates in the same cell.
-    struct Run {
-        std::int32_t cell;
-        std::size_t first, end;
-    };
     // Coordinates of one axis at one octave: their cells, places in them, and weights of the cells' far ends.
     struct Axis {
         std::vector<std::int32_t> cells;
         std::vector<float> places, weights;
-        std::vector<Run> runs;
     };
     using Octave = std::array<Axis, 3>;
 
     template <class OfNoise>
     std::vector<float> row(std::size_t along, Point point, float gain, std::uint32_t seed, OfNoise&& of_noise) const;
-    // Calls take(index, noise) for each coordinate along the axis.
-    template <std::size_t kAlong, class Take>
-    static void for_each_noise(const Octave& axes, Point point, std::uint32_t seed, Take&& take);
+    // Calls add(index, noise) for each coordinate along the axis.
+    template <std::size_t kAlong, class Add>
+    static void for_each_noise(const Octave& axes, Point point, std::uint32_t seed, Add&& add);
 
     std::vector<Octave> octaves_;
 };

@@ -86,24 +86,30 @@ struct Surface {
 Openness ambient_occlusion(const Shadows& shadows, const Surface& surface, std::span<const Vec3> normals, Rays& rays) {
     static const std::array<Vec3, kDirections> directions = occlusion_directions();
     static const std::vector<std::uint32_t> order         = neighbors_in_a_row(icosphere_vertices(kOcclusionLevel));
-    Openness sums{}, weights{}, open;
-    std::array<std::size_t, open.size()> vertex_of;
-    for (const Vec3& direction : directions) {
+    // In that order.
+    Openness x, y, z, facing, sums{}, weights{}, open;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Vec3& normal = normals[order[i]];
+        x[i] = normal.x, y[i] = normal.y, z[i] = normal.z;
+    }
+    std::array<std::size_t, open.size()> places;
+    for (const Vec3& d : directions) {
+        for (std::size_t i = 0; i < open.size(); ++i) facing[i] = d.x * x[i] + d.y * y[i] + d.z * z[i];
         rays.clear();
-        for (const std::uint32_t v : order)
-            if (glm::dot(direction, normals[v]) > 0.0f) {
-                vertex_of[rays.count()] = v;
-                rays.add(surface.points[v]);
+        for (std::size_t i = 0; i < open.size(); ++i)
+            if (facing[i] > 0.0f) {
+                places[rays.count()] = i;
+                rays.add(surface.points[order[i]]);
             }
-        shadows.trace(rays, direction, 0.5f, surface.center, surface.radius);
-        for (std::size_t i = 0; i < rays.count(); ++i) {
-            const std::size_t v = vertex_of[i];
-            const float weight  = glm::dot(direction, normals[v]);
-            sums[v] += weight * rays.share(i);
-            weights[v] += weight;
+        shadows.trace(rays, d, 0.5f, surface.center, surface.radius);
+        for (std::size_t ray = 0; ray < rays.count(); ++ray) {
+            const std::size_t i = places[ray];
+            sums[i] += facing[i] * rays.share(ray);
+            weights[i] += facing[i];
         }
     }
-    for (std::size_t v = 0; v < open.size(); ++v) open[v] = with_floor(weights[v] > 0.0f ? sums[v] / weights[v] : 1.0f);
+    for (std::size_t i = 0; i < open.size(); ++i)
+        open[order[i]] = with_floor(weights[i] > 0.0f ? sums[i] / weights[i] : 1.0f);
     return open;
 }
 
