@@ -165,22 +165,23 @@ void light_particle(const Cloud& cloud, const Daylight& light, const Shadows& sh
 LitParticles light_particles(const Cloud& cloud, const Daylight& light, const ForEach& for_each) {
     const Shadows shadows(cloud);
     const std::size_t count = icosphere().directions.size();
-    LitParticles lit;
-    lit.vertices.resize(cloud.particles.size() * count);
+    std::vector<LitVertex> vertices(cloud.particles.size() * count);
     for_each(cloud.particles.size(), [&](std::size_t i) {
-        light_particle(cloud, light, shadows, i, std::span(lit.vertices).subspan(i * count, count));
+        light_particle(cloud, light, shadows, i, std::span(vertices).subspan(i * count, count));
     });
+    LitParticles lit;
     // Sums in the vertices' order, whatever order they were made in.
     lit.low = Vec3(1e30f), lit.high = Vec3(-1e30f);
     glm::dvec3 color_sum(0.0);
-    for (std::size_t i = 0; i < lit.vertices.size(); ++i) {
-        const LitVertex& vertex  = lit.vertices[i];
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const LitVertex& vertex  = vertices[i];
         lit.low                  = glm::min(lit.low, vertex.position);
         lit.high                 = glm::max(lit.high, vertex.position);
         const Particle& particle = cloud.particles[i / count];
         color_sum += glm::dvec3(vertex.light * particle.color + particle.glow);
     }
-    if (!lit.vertices.empty()) lit.mean_color = Vec3(color_sum / static_cast<double>(lit.vertices.size()));
+    if (!vertices.empty()) lit.mean_color = Vec3(color_sum / static_cast<double>(vertices.size()));
+    lit.vertices = LitVertices(std::move(vertices));
     return lit;
 }
 

@@ -8,6 +8,8 @@
 // channel exceeds 0.95, so that the top keeps its shape.
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "cloud/cloud.h"
@@ -25,9 +27,34 @@ struct LitVertex {
     float sun       = 1.0f;
 };
 
+// A list whose copies share its memory until one of them is changed: clouds are copied for every frame, and most have not
+// changed.
+class LitVertices {
+  public:
+    LitVertices() = default;
+    explicit LitVertices(std::vector<LitVertex> vertices)
+        : shared_(std::make_shared<std::vector<LitVertex>>(std::move(vertices))) {}
+
+    std::size_t size() const { return shared_ ? shared_->size() : 0; }
+    bool empty() const { return size() == 0; }
+    const LitVertex* data() const { return shared_ ? shared_->data() : nullptr; }
+    const LitVertex* begin() const { return data(); }
+    const LitVertex* end() const { return data() + size(); }
+    const LitVertex& operator[](std::size_t i) const { return (*shared_)[i]; }
+
+    // To change this one.
+    std::vector<LitVertex>& edit() {
+        if (!shared_ || shared_.use_count() > 1) shared_ = std::make_shared<std::vector<LitVertex>>(begin(), end());
+        return *shared_;
+    }
+
+  private:
+    std::shared_ptr<std::vector<LitVertex>> shared_;
+};
+
 // icosphere_vertices(kFinestLevel) vertices for each particle, in the cloud's order.
 struct LitParticles {
-    std::vector<LitVertex> vertices;
+    LitVertices vertices;
     Vec3 mean_color = Vec3(1.0f);              // light times colour, over all vertices
     Vec3 low = Vec3(0.0f), high = Vec3(0.0f);  // the box around all vertices
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "demo/noise.h"
@@ -52,8 +53,9 @@ float sun_over_heights(float y, float to_sun_y, float highest, HeightAt&& height
     for (std::size_t step = 0; step < steps.size(); ++step) {
         const float t = steps[step], ray_y = y + t * to_sun_y;
         if (ray_y > highest) break;
-        const float clearance = ray_y - height_at(step);
-        share                 = std::min(share, 0.5f + 0.5f * clearance / (kSunSpread * t + 0.25f));
+        const float clearance = ray_y - height_at(step), whole = kSunSpread * t + 0.25f;
+        if (clearance >= whole) continue;  // the share stays
+        share = std::min(share, 0.5f + 0.5f * clearance / whole);
         if (share <= 0.0f) return 0.0f;
     }
     return smooth_step(0.0f, 1.0f, share);
@@ -80,6 +82,20 @@ float sky_over_heights(float y, HeightAt&& height_at) {
         open += 1.0f - slope / std::sqrt(1.0f + slope * slope);
     }
     return open / 8.0f;
+}
+
+bool meets_cloud(const ShadowCloud& shadow, const Vec3& point, const Vec3& to_sun) {
+    const Vec3 to_middle = shadow.center - point;
+    const float nearest  = glm::dot(to_middle, to_sun);
+    return !(glm::dot(to_middle, to_middle) - nearest * nearest > shadow.radius * shadow.radius);
+}
+
+// The optical depth is the sum of the chords, so that a puff's thin rim shades less than its middle; 1 / (1 + d +
+// d^2/2) stands for exp(-d). A cloud scatters forwards, so its shadow never gets black.
+float left_by_clouds(float depth) {
+    constexpr float kDepthPerMeter = 0.035f, kLeast = 0.40f;
+    const float d = depth * kDepthPerMeter;
+    return kLeast + (1.0f - kLeast) / (1.0f + d + 0.5f * d * d);
 }
 
 }  // namespace
@@ -112,14 +128,10 @@ float sun_past_columns(const Surroundings& around, const Vec3& point, const Vec3
     return share;
 }
 
-// The optical depth is the sum of the chords, so that a puff's thin rim shades less than its middle; 1 / (1 + d +
-// d^2/2) stands for exp(-d). A cloud scatters forwards, so its shadow never gets black.
 float sun_past_clouds(const Surroundings& around, const Vec3& point, const Vec3& to_sun) {
     float depth = 0.0f;
     for (const ShadowCloud& shadow : around.clouds) {
-        const Vec3 to_middle = shadow.center - point;
-        const float nearest  = glm::dot(to_middle, to_sun);
-        if (glm::dot(to_middle, to_middle) - nearest * nearest > shadow.radius * shadow.radius) continue;
+        if (!meets_cloud(shadow, point, to_sun)) continue;
         const cloud::Cloud& cloud = *shadow.cloud;
         for (const cloud::Particle& particle : cloud.particles) {
             const Vec3 to_center = particle.center - point;
@@ -130,9 +142,57 @@ float sun_past_clouds(const Surroundings& around, const Vec3& point, const Vec3&
             depth += 2.0f * std::sqrt(inside) * particle.alpha * cloud.absorption * cloud.opacity;
         }
     }
-    constexpr float kDepthPerMeter = 0.035f, kLeast = 0.40f;
-    const float d = depth * kDepthPerMeter;
-    return kLeast + (1.0f - kLeast) / (1.0f + d + 0.5f * d * d);
+    return left_by_clouds(depth);
+}
+
+void shade_by_clouds(const Surroundings& around, std::span<const Vec3> points, const Vec3& to_sun,
+                     std::span<float> shares) {
+    constexpr std::size_t kTogether = 8;
+    // As for the rays within clouds (cloud/shadows.cpp), and more than a direction that is a little too long adds.
+    constexpr float kMargin         = 0.04f;
+    for (std::size_t first = 0; first < points.size(); first += kTogether) {
+        const std::size_t count = std::min(points.size() - first, kTogether);
+        const std::span here    = points.subspan(first, count);
+        if (std::none_of(&shares[first], &shares[first] + count, [](float share) { return share > 0.0f; })) continue;
+        float x[kTogether], y[kTogether], z[kTogether], depth[kTogether] = {};
+        Vec3 low = here[0], high = here[0];
+        for (std::size_t i = 0; i < kTogether; ++i) {
+            const Vec3& point = here[std::min(i, count - 1)];
+            x[i] = point.x, y[i] = point.y, z[i] = point.z;
+            low = glm::min(low, point), high = glm::max(high, point);
+        }
+        const Vec3 middle   = 0.5f * (low + high);
+        const float radius  = 0.501f * glm::length(high - low);
+        const auto may_meet = [&](const Vec3& center, float its_radius) {
+            const Vec3 offset = center - middle;
+            const float size  = radius + its_radius;
+            const float reach = size + kMargin * (std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z) + size);
+            const float along = glm::dot(offset, to_sun);
+            return !(glm::dot(offset, offset) - along * along > reach * reach) && !(along + reach < 0.0f);
+        };
+        for (const ShadowCloud& shadow : around.clouds) {
+            if (!may_meet(shadow.center, shadow.radius)) continue;
+            const cloud::Cloud& cloud = *shadow.cloud;
+            bool meets[kTogether];
+            for (std::size_t i = 0; i < kTogether; ++i) meets[i] = meets_cloud(shadow, Vec3(x[i], y[i], z[i]), to_sun);
+            for (const cloud::Particle& particle : cloud.particles) {
+                if (!may_meet(particle.center, particle.radius)) continue;
+                const Vec3 c        = particle.center;
+                const float radius2 = particle.radius * particle.radius;
+                for (std::size_t i = 0; i < kTogether; ++i) {
+                    const float to_x = c.x - x[i], to_y = c.y - y[i], to_z = c.z - z[i];
+                    const float along  = to_x * to_sun.x + to_y * to_sun.y + to_z * to_sun.z;
+                    const float miss   = to_x * to_x + to_y * to_y + to_z * to_z - along * along;
+                    const float inside = radius2 - miss;
+                    const float chord  = 2.0f * std::sqrt(inside > 0.0f ? inside : 0.0f);
+                    const float adds   = chord * particle.alpha * cloud.absorption * cloud.opacity;
+                    depth[i] += meets[i] & (along > 0.0f) ? adds : 0.0f;
+                }
+            }
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            if (shares[first + i] > 0.0f) shares[first + i] *= left_by_clouds(depth[i]);
+    }
 }
 
 float open_sky(const HeightField& terrain, const Vec3& point) {

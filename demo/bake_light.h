@@ -4,6 +4,7 @@
 // is up.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "cloud/cloud.h"
@@ -41,6 +42,10 @@ float sun_past_columns(const Surroundings& around, const Vec3& point, const Vec3
 
 // Share of sunlight that the clouds let through: 0..1.
 float sun_past_clouds(const Surroundings& around, const Vec3& point, const Vec3& to_sun);
+
+// Multiplies by it the shares of the sun at points that lie in a row; those of 0 stay.
+void shade_by_clouds(const Surroundings& around, std::span<const Vec3> points, const Vec3& to_sun,
+                     std::span<float> shares);
 
 // Share of the sky's light that reaches a horizontal surface past the terrain: 0..1.
 float open_sky(const HeightField& terrain, const Vec3& point);

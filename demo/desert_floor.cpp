@@ -117,6 +117,7 @@ class Floor {
         std::vector<std::uint32_t> argb;
         argb.reserve(pixels_.size());
         for (const Vec3& pixel : pixels_) argb.push_back(to_argb(0.5f * pixel).value);
+        pixels_ = std::vector<Vec3>();
         return texture_pyramid(kDesertFloorTextureName, kWidth, kHeight, std::move(argb));
     }
 

@@ -14,17 +14,18 @@ constexpr Direction kGradients[8] = {{1.4142135f, 0.0f},  {1.0f, 1.0f},   {0.0f,
                                      {-1.4142135f, 0.0f}, {-1.0f, -1.0f}, {0.0f, -1.4142135f}, {1.0f, -1.0f}};
 
 std::int32_t wrap(std::int32_t cell, std::int32_t period) {
-    if (period == 0) return cell;
+    if (period == 0 || (cell >= 0 && cell < period)) return cell;
     const std::int32_t rest = cell % period;
     return rest < 0 ? rest + period : rest;
 }
 
-const Direction& gradient(std::int32_t cell_x, std::int32_t cell_y, std::uint32_t seed, Period period) {
-    return kGradients[hash_lattice(wrap(cell_x, period.x), wrap(cell_y, period.y), seed) >> 29];
+// Of a cell within the period.
+const Direction& gradient(std::int32_t cell_x, std::int32_t cell_y, std::uint32_t seed) {
+    return kGradients[hash_lattice(cell_x, cell_y, seed) >> 29];
 }
 
-float slope(std::int32_t cell_x, std::int32_t cell_y, float dx, float dy, std::uint32_t seed, Period period) {
-    const Direction& g = gradient(cell_x, cell_y, seed, period);
+float slope(std::int32_t cell_x, std::int32_t cell_y, float dx, float dy, std::uint32_t seed) {
+    const Direction& g = gradient(cell_x, cell_y, seed);
     return g.x * dx + g.y * dy;
 }
 
@@ -57,10 +58,11 @@ float noise(float x, float y, std::uint32_t seed, Period period) {
     const std::int32_t cell_x = floor_to_int(x), cell_y = floor_to_int(y);
     const float dx = x - static_cast<float>(cell_x), dy = y - static_cast<float>(cell_y);
     const float u = fade(dx), v = fade(dy);
-    const float top =
-        mix(slope(cell_x, cell_y, dx, dy, seed, period), slope(cell_x + 1, cell_y, dx - 1.0f, dy, seed, period), u);
-    const float bottom = mix(slope(cell_x, cell_y + 1, dx, dy - 1.0f, seed, period),
-                             slope(cell_x + 1, cell_y + 1, dx - 1.0f, dy - 1.0f, seed, period), u);
+    const std::int32_t left = wrap(cell_x, period.x), right = wrap(cell_x + 1, period.x);
+    const std::int32_t upper = wrap(cell_y, period.y), lower = wrap(cell_y + 1, period.y);
+    const float top = mix(slope(left, upper, dx, dy, seed), slope(right, upper, dx - 1.0f, dy, seed), u);
+    const float bottom =
+        mix(slope(left, lower, dx, dy - 1.0f, seed), slope(right, lower, dx - 1.0f, dy - 1.0f, seed), u);
     return mix(top, bottom, v);
 }
 
@@ -114,9 +116,10 @@ void NoiseGrid::for_each_noise(const Columns& columns, float y, std::uint32_t se
     struct Side {
         float top_x, top_y, bottom_x, bottom_y;
     };
+    const std::int32_t upper = wrap(cell_y, period.y), lower = wrap(cell_y + 1, period.y);
     const auto side_at = [&](std::int32_t cell_x) {
-        const Direction &top    = gradient(cell_x, cell_y, seed, period),
-                        &bottom = gradient(cell_x, cell_y + 1, seed, period);
+        const std::int32_t cell = wrap(cell_x, period.x);
+        const Direction &top = gradient(cell, upper, seed), &bottom = gradient(cell, lower, seed);
         return Side{top.x, top.y * dy, bottom.x, bottom.y * (dy - 1.0f)};
     };
     const float* const all_dx     = columns.dx.data();

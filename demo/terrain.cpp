@@ -2,10 +2,13 @@
 #include "demo/terrain.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <span>
 
 #include "demo/canyon.h"
 #include "demo/image_file.h"
@@ -62,6 +65,9 @@ Surface light_surface(const HeightField& field, const Surroundings& around, cons
     const GridLight grid(field, light.to_sun);
     tbb::parallel_for(0, kPoints, [&](int row) {
         const GridLight::Row grid_row(grid, row);
+        std::array<Vec3, kPoints> points;
+        std::array<float, kPoints> facings;
+        const std::span sun = std::span(surface.sun).subspan(static_cast<std::size_t>(row) * kPoints, kPoints);
         for (int column = 0; column < kPoints; ++column) {
             const int i        = row * kPoints + column;
             const Vec3 point   = field.point(column, row) + Vec3(0.0f, 0.15f, 0.0f);
@@ -70,13 +76,15 @@ Surface light_surface(const HeightField& field, const Surroundings& around, cons
             const float facing = normal.x * light.to_sun.x + normal.y * light.to_sun.y + normal.z * light.to_sun.z;
             if (facing > 0.0f) {
                 const float share = grid_row.sun_past_terrain(column, point.y);
-                surface.sun[i]    = sun_past_columns(around, point, light.to_sun, share);
+                sun[column]       = sun_past_columns(around, point, light.to_sun, share);
             }
-            if (surface.sun[i] > 0.0f) surface.sun[i] *= sun_past_clouds(around, point, light.to_sun);
-            surface.shade[i] = surface.sun[i] * std::max(facing, 0.0f);
+            points[column] = point, facings[column] = facing;
             // The sky's share varies slowly: found at every second point, and half-way between at the others.
             if (row % 2 == 0 && column % 2 == 0) surface.sky[i] = grid_row.open_sky(column, field.height(column, row));
         }
+        shade_by_clouds(around, points, light.to_sun, sun);
+        for (int column = 0; column < kPoints; ++column)
+            surface.shade[row * kPoints + column] = sun[column] * std::max(facings[column], 0.0f);
     });
     for (int row = 0; row < kPoints; row += 2)
         for (int column = 1; column < kPoints; column += 2) {
@@ -115,9 +123,12 @@ class Tints {
         // Debris of the walls on slopes, clean sand in washes.
         tint *= glm::mix(Vec3(1.0f), Vec3(0.90f, 0.80f, 0.76f), 1.0f - smooth_step(0.78f, 0.94f, normal.y));
         if (!terrain_.height_map) {
-            const float low  = 1.0f - smooth_step(1.0f, 8.0f, p.y - terrain_.base_y);
-            const float wash = canyon_wash(canyon_shape(terrain_), p.x - terrain_.center.x, p.z - terrain_.center.y);
-            tint *= glm::mix(Vec3(1.0f), Vec3(1.10f, 1.15f, 1.19f), low * wash);
+            const float low = 1.0f - smooth_step(1.0f, 8.0f, p.y - terrain_.base_y);
+            if (low > 0.0f) {
+                const float wash =
+                    canyon_wash(canyon_shape(terrain_), p.x - terrain_.center.x, p.z - terrain_.center.y);
+                tint *= glm::mix(Vec3(1.0f), Vec3(1.10f, 1.15f, 1.19f), low * wash);
+            }
         }
         return tint;
     }
@@ -131,6 +142,36 @@ class Tints {
     const Terrain& terrain_;
     std::uint32_t seed_;
 };
+
+struct LitMesh {
+    TriangleMesh mesh;
+    std::vector<TerrainPoint> points;  // those of the mesh
+};
+
+LitMesh lit_mesh(const Terrain& terrain, const HeightField& field, const Surroundings& around,
+                 const cloud::Daylight& light) {
+    const Surface surface = light_surface(field, around, light);
+    LitMesh lit{.mesh = triangulate(field, surface.shade, kHeightTolerance, kShadeTolerance), .points = {}};
+    const bool has_rock = terrain.walls.kind != SurfaceTexture::Kind::None;
+    const Tints tints(terrain);
+    lit.points.resize(lit.mesh.points.size());
+    tbb::parallel_for(std::size_t{0}, lit.points.size(), [&](std::size_t i) {
+        const std::uint32_t index = lit.mesh.points[i];
+        const int column          = static_cast<int>(index) % HeightField::kPoints;
+        const int row             = static_cast<int>(index) / HeightField::kPoints;
+        const Vec3 p = field.point(column, row), normal = field.normal(column, row);
+        const Vec3 arrives = light_of_day(light, normal, surface.sun[index], surface.sky[index]);
+        lit.points[i]      = {.column       = column,
+                              .row          = row,
+                              .position     = p,
+                              .normal       = normal,
+                              .ground_light = arrives * tints.ground(p, normal),
+                              .rock_light   = arrives * tints.rock(p),
+                              .rock         = has_rock ? rock_share(normal) : 0.0f,
+                              .faces_z      = faces_z(field, p)};
+    });
+    return lit;
+}
 
 }  // namespace
 
@@ -158,36 +199,24 @@ HeightField terrain_heights(const Terrain& terrain) {
 
 void append_terrain(SceneGeometry& geometry, const Terrain& terrain, const HeightField& field,
                     const Surroundings& around, const cloud::Daylight& light) {
-    const Surface surface   = light_surface(field, around, light);
-    const TriangleMesh mesh = triangulate(field, surface.shade, kHeightTolerance, kShadeTolerance);
-    const bool has_rock     = terrain.walls.kind != SurfaceTexture::Kind::None;
-    const Tints tints(terrain);
-
-    std::vector<TerrainPoint> points(mesh.points.size());
-    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
-        const std::uint32_t index = mesh.points[i];
-        const int column          = static_cast<int>(index) % HeightField::kPoints;
-        const int row             = static_cast<int>(index) / HeightField::kPoints;
-        const Vec3 p = field.point(column, row), normal = field.normal(column, row);
-        const Vec3 arrives = light_of_day(light, normal, surface.sun[index], surface.sky[index]);
-        points[i]          = {.column       = column,
-                              .row          = row,
-                              .position     = p,
-                              .normal       = normal,
-                              .ground_light = arrives * tints.ground(p, normal),
-                              .rock_light   = arrives * tints.rock(p),
-                              .rock         = has_rock ? rock_share(normal) : 0.0f,
-                              .faces_z      = faces_z(field, p)};
-    });
-
     TextureLibrary textures(geometry);
+    int ground = -1, detail = -1, rock = -1;
+    LitMesh lit;
+    tbb::parallel_invoke(
+        [&] {
+            ground = textures.find(terrain.ground);
+            detail = textures.detail(terrain.ground);
+            rock   = textures.find(terrain.walls);
+        },
+        [&] { lit = lit_mesh(terrain, field, around, light); });
+
     const TerrainTiles tiles{.ground_m = textures.tile_size(terrain.ground, terrain.ground_tile_m),
                              .detail_m = textures.detail_size(terrain.ground),
                              .rock_m   = textures.tile_size(terrain.walls, terrain.walls_tile_m)};
-    geometry.terrain                = append_terrain_blocks(geometry.vertices, field, mesh, points, tiles);
-    geometry.terrain.ground_texture = textures.find(terrain.ground);
-    geometry.terrain.detail_texture = textures.detail(terrain.ground);
-    geometry.terrain.rock_texture   = textures.find(terrain.walls);
+    geometry.terrain                = append_terrain_blocks(geometry.vertices, field, lit.mesh, lit.points, tiles);
+    geometry.terrain.ground_texture = ground;
+    geometry.terrain.detail_texture = detail;
+    geometry.terrain.rock_texture   = rock;
 }
 
 }  // namespace demo

@@ -57,9 +57,9 @@ Picture resample(const Picture& source, int width, int height) {
     return result;
 }
 
-void append_texels(const Picture& picture, std::vector<std::uint8_t>& texels) {
+void store_texels(const Picture& picture, std::uint8_t* texels) {
     for (const std::uint32_t pixel : picture.pixels)
-        for (int shift = 0; shift < 32; shift += 8) texels.push_back(static_cast<std::uint8_t>(channel(pixel, shift)));
+        for (int shift = 0; shift < 32; shift += 8) *texels++ = static_cast<std::uint8_t>(channel(pixel, shift));
 }
 
 // From a level of width x height texels the next: half as wide and high, 1 at least.
@@ -79,13 +79,6 @@ void halve(const std::uint8_t* source, int width, int height, std::uint8_t* half
 
 }  // namespace
 
-pipeline::Argb to_argb(const pipeline::Vec3& color, float alpha) {
-    const auto byte = [](float factor) {
-        return static_cast<std::uint32_t>(std::clamp(factor, 0.0f, 1.0f) * 255.0f + 0.5f);
-    };
-    return {byte(alpha) << 24 | byte(color.x) << 16 | byte(color.y) << 8 | byte(color.z)};
-}
-
 pipeline::Texture texture_pyramid(std::string name, int width, int height, std::vector<std::uint32_t> pixels) {
     assert(width > 0 && height > 0 && pixels.size() == static_cast<std::size_t>(width) * height);
     Picture level{width, height, std::move(pixels)};
@@ -104,10 +97,9 @@ pipeline::Texture texture_pyramid(std::string name, int width, int height, std::
         w = std::max(w / 2, 1), h = std::max(h / 2, 1);
         size += bytes(w, h);
     }
-    texture.texels.reserve(size);
-    append_texels(level, texture.texels);
-    level.pixels = {};
     texture.texels.resize(size);
+    store_texels(level, texture.texels.data());
+    level.pixels         = {};
     std::uint8_t* texels = texture.texels.data();
     for (int w = level.width, h = level.height; w > 1 || h > 1; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
         halve(texels, w, h, texels + bytes(w, h));

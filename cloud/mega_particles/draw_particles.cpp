@@ -45,10 +45,22 @@ DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_
                              VertexOf&& vertex_of) {
     Frame& frame = draw.frame;
     DrawTriangles triangles;
-    triangles.first_index = static_cast<std::uint32_t>(frame.indices.size());
+    triangles.first_index        = static_cast<std::uint32_t>(frame.indices.size());
+    const auto level_of_its_mesh = [&](std::size_t particle) {
+        return std::max(level_of(draw, particle) - coarser, 0);
+    };
+    const auto is_there  = [&](std::size_t particle) { return draw.baked.cloud.particles[particle].alpha > 0.0f; };
+    std::size_t vertices = frame.vertices.size(), indices = frame.indices.size();
+    for (std::size_t particle : order)
+        if (is_there(particle)) {
+            vertices += icosphere_vertices(level_of_its_mesh(particle));
+            indices += 3 * icosphere_triangles(level_of_its_mesh(particle));
+        }
+    frame.vertices.reserve(vertices);
+    frame.indices.reserve(indices);
     for (std::size_t particle : order) {
-        if (draw.baked.cloud.particles[particle].alpha <= 0.0f) continue;  // not there
-        const int level       = std::max(level_of(draw, particle) - coarser, 0);
+        if (!is_there(particle)) continue;
+        const int level       = level_of_its_mesh(particle);
         const auto first      = static_cast<std::uint32_t>(frame.vertices.size());
         const std::size_t lit = particle * icosphere_vertices(kFinestLevel);
         for (std::uint32_t v = 0; v < icosphere_vertices(level); ++v)

@@ -23,7 +23,7 @@ PassCounts counts_of(Studio& studio, const pipeline::Frame& frame) {
 // As many spheres again, each within another one of the cloud, so that the picture should cost the same to blend.
 void double_spheres(SceneCloud& cloud) {
     std::vector<cloud::Particle>& particles = cloud.baked.cloud.particles;
-    std::vector<cloud::LitVertex>& vertices = cloud.baked.lit.vertices;
+    std::vector<cloud::LitVertex>& vertices = cloud.baked.lit.vertices.edit();
     const std::size_t count = particles.size(), per_particle = count > 0 ? vertices.size() / count : 0;
     for (std::size_t i = 0; i < count; ++i) {
         cloud::Particle inner = particles[i];

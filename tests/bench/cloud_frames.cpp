@@ -45,19 +45,21 @@ cloud::Cloud ball_of_particles(const Vec3& center, float radius, int count) {
 cloud::BakedCloud bake_without_shadows(const cloud::Cloud& ball) {
     const cloud::Daylight daylight;
     cloud::BakedCloud baked{ball, daylight, {}, {}};
+    std::vector<cloud::LitVertex> vertices;
     Vec3 low(1e9f), high(-1e9f);
     for (std::size_t i = 0; i < ball.particles.size(); ++i) {
         const cloud::ParticleMesh mesh = cloud::shape_particle(ball, i);
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             const float share = 0.5f + 0.5f * glm::dot(mesh.normals[v], daylight.to_sun);
-            baked.lit.vertices.push_back(
+            vertices.push_back(
                 {mesh.positions[v], mesh.normals[v], 0.85f * share * daylight.sun + 0.15f * daylight.sky, 1.0f});
             low  = glm::min(low, mesh.positions[v]);
             high = glm::max(high, mesh.positions[v]);
         }
     }
-    baked.lit.low  = low;
-    baked.lit.high = high;
+    baked.lit.vertices = cloud::LitVertices(std::move(vertices));
+    baked.lit.low      = low;
+    baked.lit.high     = high;
     return baked;
 }
 

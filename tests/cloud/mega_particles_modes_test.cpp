@@ -113,7 +113,7 @@ TEST_CASE("a cloud of the sky's own colour shows a halo in black mode alone", "[
     if (cloud.mode == Mode::Article) {  // lit by the pipeline's lights, which know no glow
         for (Particle& particle : cloud.particles) particle.color = particle.glow;
         BakedCloud baked = bake(cloud, Daylight{.sun = Vec3(0.0f), .sky = Vec3(1.0f), .bounce = Vec3(1.0f)});
-        for (LitVertex& vertex : baked.lit.vertices) vertex.occlusion = 1.0f;
+        for (LitVertex& vertex : baked.lit.vertices.edit()) vertex.occlusion = 1.0f;
         const ColorImage image = execute(frame_of({baked}, kFront)).output;
         for (std::uint32_t pixel : image.pixels) CHECK(difference(pixel, kSkyBlue) <= 3);
         return;
