@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "demo/right_triangles.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -36,16 +38,14 @@ class Halving {
           vertex_of_(error_.size(), kUnused) {}
 
     TriangleMesh run() {
+        // Bottom up: the middles of the squares' sides, then those of the squares, then twice as large squares.
+        for (int side = 2; side <= cells_; side *= 2) {
+            tbb::parallel_for(0, 2 * (cells_ / side) + 1, [&](int line) { gather_sides(side, line); });
+            if (closed_) join_seam();
+            tbb::parallel_for(0, cells_ / side, [&](int row) { gather_squares(side, row); });
+        }
         const RightTriangle roots[2] = {{{0, 0}, {cells_, cells_}, {cells_, 0}},
                                         {{cells_, cells_}, {0, 0}, {0, cells_}}};
-        int levels                   = 0;  // two for each halving of the side
-        for (int side = cells_; side > 1; side /= 2) levels += 2;
-        // Bottom up, level by level, so that both triangles at an edge have added to its middle's error before the
-        // level above reads it.
-        for (int level = levels - 1; level >= 0; --level) {
-            for (const RightTriangle& root : roots) gather_errors(root, level);
-            if (closed_) join_seam();
-        }
         for (const RightTriangle& root : roots) emit(root);
         return std::move(mesh_);
     }
@@ -53,17 +53,37 @@ class Halving {
   private:
     int index(GridPoint point) const { return point.row * (cells_ + 1) + point.column; }
 
-    void gather_errors(const RightTriangle& triangle, int levels_down) {
-        if (!triangle.can_halve()) return;
-        if (levels_down > 0) {
-            for (const RightTriangle& half : triangle.halves()) gather_errors(half, levels_down - 1);
-            return;
+    // Sides that lie along the rows in even lines, and along the columns in odd ones. The two triangles at a side have
+    // their right angles in the middles of the squares beside it; their halves' longest sides are the diagonals of the
+    // small squares there.
+    void gather_sides(int side, int line) {
+        const int half = side / 2, quarter = side / 4, row = line * half;
+        for (int column = line % 2 == 0 ? half : 0; column <= cells_; column += side) {
+            const GridPoint a = line % 2 == 0 ? GridPoint{column - half, row} : GridPoint{column, row - half};
+            const GridPoint b = line % 2 == 0 ? GridPoint{column + half, row} : GridPoint{column, row + half};
+            float error       = error_of_(a, b, {column, row});
+            if (quarter > 0)
+                for (const int y : {row - quarter, row + quarter})
+                    for (const int x : {column - quarter, column + quarter})
+                        if (x >= 0 && x <= cells_ && y >= 0 && y <= cells_)
+                            error = std::max(error, error_[index({x, y})]);
+            error_[index({column, row})] = error;
         }
-        float error = error_of_(triangle.a, triangle.b, triangle.middle());
-        for (const RightTriangle& half : triangle.halves())
-            if (half.can_halve()) error = std::max(error, error_[index(half.middle())]);
-        float& known = error_[index(triangle.middle())];
-        known        = std::max(known, error);
+    }
+
+    // Diagonals run through the middle of the next larger square. The sides are those of the triangles' halves.
+    void gather_squares(int side, int line) {
+        const int half = side / 2, row = line * side;
+        for (int column = 0; column < cells_; column += side) {
+            const bool falls = (column / side + line) % 2 == 0;
+            const GridPoint a{column, falls ? row : row + side}, b{column + side, falls ? row + side : row};
+            const GridPoint m{column + half, row + half};
+            float error = error_of_(a, b, m);
+            for (const GridPoint side_middle :
+                 {GridPoint{m.column, row}, {m.column, row + side}, {column, m.row}, {column + side, m.row}})
+                error = std::max(error, error_[index(side_middle)]);
+            error_[index(m)] = error;
+        }
     }
 
     void join_seam() {

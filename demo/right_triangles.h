@@ -23,7 +23,7 @@ struct TriangleMesh {
 };
 
 // How far off a triangle is that ends in the hypotenuse a-b and leaves out its middle, in units of the tolerance: above
-// 1, the middle is needed.
+// 1, the middle is needed. 0 or more, the same from b to a; asked for several at once.
 using MiddleError = std::function<float(GridPoint a, GridPoint b, GridPoint middle)>;
 
 // cells: a power of two. closed: the last column is the first once more, and must be split like it.

@@ -2,6 +2,7 @@
 // What is computed a row at a time is, bit for bit, what is computed point by point.
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
+#include <random>
 #include <vector>
 
 #include "demo/bake_light.h"
@@ -72,6 +73,43 @@ TEST_CASE("the light on a terrain's grid is that of its points", "[demo][terrain
     }
     CHECK(shaded > 20);
     if (to_sun.y > 0.0f) CHECK(open > 20);
+}
+
+TEST_CASE("the clouds' shadow on a row is that on its points", "[demo][terrain]") {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-1.0f, 1.0f);
+    std::vector<cloud::Cloud> clouds(2);
+    for (cloud::Cloud& cloud : clouds)
+        for (int i = 0; i < 25; ++i)
+            cloud.particles.push_back(
+                {.center = Vec3(90.0f * place(random), 60.0f + 20.0f * place(random), 90.0f * place(random)),
+                 .radius = 6.0f + 5.0f * place(random),
+                 .alpha  = 0.5f + 0.5f * place(random)});
+    clouds[1].absorption = 0.7f, clouds[1].opacity = 0.9f;
+    const Surroundings around{
+        .terrain = nullptr, .columns = {}, .clouds = {ShadowCloud(clouds[0]), ShadowCloud(clouds[1])}};
+    int shaded = 0, open = 0;
+    for (const Vec3& to_sun : {Vec3(0.5f, 0.3f, 0.4f), Vec3(-0.9f, 0.1f, 0.1f), Vec3(0.0f, 1.0f, 0.0f)})
+        for (float z = -150.0f; z <= 150.0f; z += 9.0f) {
+            std::vector<Vec3> points;
+            std::vector<float> shares;
+            for (int i = 0; i < 203; ++i) {
+                // Also above and among the clouds, and from far away.
+                const float height = i % 50 < 8 ? 70.0f : 3.0f * place(random), x = 3.0f * static_cast<float>(i - 100);
+                points.push_back({i < 195 ? x : 40.0f * x, height, z});
+                shares.push_back(i % 5 == 0 || i / 20 == 3 ? 0.0f : 0.5f + 0.5f * place(random));
+            }
+            const std::vector<float> before = shares;
+            const Vec3 direction            = glm::normalize(to_sun);
+            shade_by_clouds(around, points, direction, shares);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const float past = sun_past_clouds(around, points[i], direction);
+                REQUIRE(shares[i] == (before[i] > 0.0f ? before[i] * past : before[i]));
+                ++(past < 1.0f ? shaded : open);
+            }
+        }
+    CHECK(shaded > 1000);
+    CHECK(open > 1000);
 }
 
 }  // namespace demo

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 #include <tuple>
 #include <variant>
@@ -214,6 +215,43 @@ TEST_CASE("a closed grid is split alike at its seam", "[demo][terrain]") {
     }
     CHECK(halve_right_triangles(8, false, [](GridPoint, GridPoint, GridPoint) { return 0.0f; }).triangles.size() == 2);
     CHECK(halve_right_triangles(8, true, [](GridPoint, GridPoint, GridPoint) { return 2.0f; }).triangles.size() == 128);
+}
+
+// A middle is needed if it is too far off, or if the middle of a half of one of its triangles is.
+TEST_CASE("a grid keeps the middles that are too far off, and those that they need", "[demo][terrain]") {
+    constexpr int kCells = 16, kPoints = kCells + 1;
+    const bool closed = GENERATE(false, true);
+    std::mt19937 random(GENERATE(1, 2, 3, 4, 5, 6));
+    std::vector<float> errors(kPoints * kPoints, 0.0f);
+    for (float& error : errors) error = random() % 25 == 0 ? 1.5f : 0.5f;
+    const auto index = [](GridPoint p) { return p.row * kPoints + p.column; };
+
+    std::set<int> needed;
+    std::size_t before = 1;
+    // Whether its middle is needed.
+    const auto visit   = [&](auto&& self, GridPoint a, GridPoint b, GridPoint c) -> bool {
+        if (std::abs(a.column - c.column) + std::abs(a.row - c.row) <= 1) return false;
+        const GridPoint m{(a.column + b.column) / 2, (a.row + b.row) / 2};
+        const bool left = self(self, c, a, m), right = self(self, b, c, m);
+        const GridPoint seam{kCells - m.column, m.row};
+        const bool at_seam = closed && (m.column == 0 || m.column == kCells);
+        if (left || right || errors[index(m)] > 1.0f ||
+            (at_seam && (errors[index(seam)] > 1.0f || needed.count(index(seam)) > 0)))
+            needed.insert(index(m));
+        return needed.count(index(m)) > 0;
+    };
+    while (before != needed.size()) {
+        before = needed.size();
+        visit(visit, {0, 0}, {kCells, kCells}, {kCells, 0});
+        visit(visit, {kCells, kCells}, {0, 0}, {0, kCells});
+    }
+    for (const GridPoint corner : {GridPoint{0, 0}, {kCells, 0}, {0, kCells}, {kCells, kCells}})
+        needed.insert(index(corner));
+
+    const TriangleMesh mesh = halve_right_triangles(
+        kCells, closed, [&](GridPoint, GridPoint, GridPoint middle) { return errors[index(middle)]; });
+    CHECK(std::set<int>(mesh.points.begin(), mesh.points.end()) == needed);
+    CHECK(needed.size() < errors.size());
 }
 
 }  // namespace demo
