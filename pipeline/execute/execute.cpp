@@ -142,12 +142,17 @@ class FrameExecution {
         }
         arena_.run([&] {
             memory_.frame.set_zeros(id);
-            const raster::Image& image = *memory_.frame.image(id);
-            out.width                  = image.width();
-            out.height                 = image.height();
+            const raster::Image* image = memory_.frame.image(id);
+            const Target& target       = frame_.targets[id.index];
+            out.width                  = target.width;
+            out.height                 = target.height;
             out.pixels.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+            if (image == nullptr) {
+                std::fill(out.pixels.begin(), out.pixels.end(), memory_.frame.zero(id));
+                return;
+            }
             tbb::parallel_for(0, out.height, [&](int y) {
-                std::copy_n(image.row(y), out.width, out.pixels.begin() + static_cast<std::ptrdiff_t>(y) * out.width);
+                std::copy_n(image->row(y), out.width, out.pixels.begin() + static_cast<std::ptrdiff_t>(y) * out.width);
             });
         });
     }

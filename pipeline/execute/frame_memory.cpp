@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "pipeline/check/state_use.h"
+#include "pipeline/check/target_use.h"
 #include "pipeline/execute/lower.h"
 #include "raster/alpha_quads.h"
 #include "raster/fill_pass.h"
@@ -12,18 +14,8 @@
 namespace pipeline {
 namespace {
 
-void set_bound_textures(const Frame& frame, std::vector<bool>& is_bound) {
-    is_bound.assign(frame.textures.size(), false);
-    for (const Pass& pass : frame.passes)
-        for (const Draw& draw : pass.draws)
-            for (const TextureBinding& binding : textures_of(draw))
-                if (binding.texture) is_bound[static_cast<std::size_t>(binding.texture.index)] = true;
-}
-
-// Of A8; nothing of other formats.
 void pack_quads(const Texture& texture, std::vector<std::uint32_t>& out) {
     out.clear();
-    if (texture.format != TextureFormat::A8) return;
     const std::uint8_t* texels = texture.texels.data();
     for (int level = 0; level < texture.levels; ++level) {
         const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
@@ -36,12 +28,29 @@ void pack_quads(const Texture& texture, std::vector<std::uint32_t>& out) {
 
 }  // namespace
 
-void FrameMemory::TextureMemory::set(const Texture& texture) {
+// Those of A8 that are read as raster/fill_plan.cpp wants quads for.
+void FrameMemory::set_uses(const Frame& frame, std::vector<TextureUse>& uses) {
+    uses.assign(frame.textures.size(), TextureUse::None);
+    for (const Pass& pass : frame.passes)
+        for_each_texture(pass, [&](std::size_t, std::size_t index, const TextureBinding& binding) {
+            if (!binding.texture) return;
+            const TextureStage& stage = pass.state.stages[index];
+            const bool by_quads       = frame.textures[binding.texture.index].format == TextureFormat::A8 &&
+                                  stage.filter == TextureFilter::Linear && stage.address_u == TextureAddress::Clamp &&
+                                  stage.address_v == TextureAddress::Clamp;
+            TextureUse& use = uses[binding.texture.index];
+            use             = std::max(use, by_quads ? TextureUse::ReadByQuads : TextureUse::Read);
+        });
+}
+
+void FrameMemory::TextureMemory::set(const Texture& texture, bool with_quads) {
     const std::vector<std::uint8_t>& from = texture.texels;
     // A8R8G8B8 is B, G, R, A in memory, a little-endian 0xAARRGGBB, and the vector's own memory is aligned for any
     // type.
     if (texture.format == TextureFormat::A8R8G8B8) {
-        texels = reinterpret_cast<const std::uint32_t*>(from.data());
+        const std::uint32_t* const as_they_are = reinterpret_cast<const std::uint32_t*>(from.data());
+        if (!expanded.empty()) *this = {};
+        texels = as_they_are;
         return;
     }
     if (format != texture.format || width != texture.width || height != texture.height || source != from) {
@@ -50,7 +59,7 @@ void FrameMemory::TextureMemory::set(const Texture& texture) {
         height = texture.height;
         source = from;
         expanded.resize(from.size());
-        pack_quads(texture, quads);
+        quads.clear();
         if (format == TextureFormat::A8)
             std::transform(from.begin(), from.end(), expanded.begin(),
                            [](std::uint8_t a) { return static_cast<std::uint32_t>(a) << 24; });
@@ -59,17 +68,26 @@ void FrameMemory::TextureMemory::set(const Texture& texture) {
                            [](std::uint8_t l) { return 0xff000000u | l * 0x010101u; });
     }
     texels = expanded.data();
+    if (!with_quads) quads = {};
+    if (with_quads && quads.empty()) pack_quads(texture, quads);
 }
 
 void FrameMemory::prepare(const Frame& frame, StoreFunction* stored) {
-    frame_ = &frame;
+    frame_                 = &frame;
+    std::vector<bool> used = targets_in_use(frame);
+    if (frame.output) used[frame.output.index] = true;
+    // The rasterizer is given one image at least.
+    for (const Pass& pass : frame.passes)
+        if (!pass.color) used[pass.depth.index] = true;
     targets_.resize(frame.targets.size());
     tbb::parallel_for(std::size_t{0}, targets_.size(), [&](std::size_t i) {
         const Target& target     = frame.targets[i];
         TargetMemory& memory     = targets_[i];
         const std::uint32_t zero = is_depth(target.format) ? 0 : stored(color_format(target.format), 0);
-        if (memory.image.width() != target.width || memory.image.height() != target.height) {
-            memory.image   = raster::Image(target.width, target.height);
+        const bool is_used       = used[i];
+        const int width = is_used ? target.width : 0, height = is_used ? target.height : 0;
+        if (memory.image.width() != width || memory.image.height() != height) {
+            memory.image   = is_used ? raster::Image(width, height) : raster::Image();
             memory.written = {};
             memory.zero    = 0;
         }
@@ -78,14 +96,17 @@ void FrameMemory::prepare(const Frame& frame, StoreFunction* stored) {
         memory.is_started = false;
     });
     textures_.resize(frame.textures.size());
-    set_bound_textures(frame, is_bound_);
+    set_uses(frame, uses_);
     tbb::parallel_for(std::size_t{0}, textures_.size(), [&](std::size_t i) {
-        if (is_bound_[i]) textures_[i].set(frame.textures[i]);
+        if (uses_[i] == TextureUse::None)
+            textures_[i] = {};
+        else
+            textures_[i].set(frame.textures[i], uses_[i] == TextureUse::ReadByQuads);
     });
 }
 
 FrameMemory::Start FrameMemory::start(TargetId id) {
-    if (!id) return {};
+    if (!has_memory(id)) return {};
     TargetMemory& target = targets_[id.index];
     if (target.is_started) return {};
     target.is_started       = true;
@@ -104,16 +125,26 @@ void FrameMemory::set_zeros(TargetId id) {
     });
 }
 
+std::size_t FrameMemory::bytes() const {
+    std::size_t bytes = 0;
+    for (const TargetMemory& target : targets_)
+        bytes += sizeof(std::uint32_t) * static_cast<std::size_t>(target.image.stride() * target.image.height());
+    for (const TextureMemory& texture : textures_)
+        bytes += texture.source.capacity() +
+                 sizeof(std::uint32_t) * (texture.expanded.capacity() + texture.quads.capacity());
+    return bytes;
+}
+
 void FrameMemory::add_drawn(TargetId id, const raster::Rect& rect) {
-    if (id) targets_[id.index].written = hull(targets_[id.index].written, rect);
+    if (has_memory(id)) targets_[id.index].written = hull(targets_[id.index].written, rect);
 }
 
 raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
     raster::Sampler sampler;
-    if (binding.target) {
-        const raster::Image& target = image(binding.target);
+    if (has_memory(binding.target)) {
+        const raster::Image& target = targets_[binding.target.index].image;
         sampler.levels.push_back({target.row(0), target.width(), target.height(), target.stride()});
-    } else if (binding.texture) {
+    } else if (binding.texture && uses_[binding.texture.index] != TextureUse::None) {
         const Texture& texture      = frame_->textures[binding.texture.index];
         const TextureMemory& memory = textures_[binding.texture.index];
         sampler.texel_bytes         = bytes_per_texel(texture.format);
@@ -122,7 +153,7 @@ raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
             const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
             sampler.levels.push_back({texels, width, height, width});
             texels += static_cast<std::ptrdiff_t>(width) * height;
-            if (texture.format != TextureFormat::A8) continue;
+            if (memory.quads.empty()) continue;
             sampler.alpha_quads.push_back({quads, width, height, width + 1});
             quads += raster::alpha_quad_count(width, height);
         }

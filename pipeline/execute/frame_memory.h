@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A frame's targets and textures as the rasterizer sees them. What one frame has allocated, and left alone, serves the
 // next: of a target only what was written is set back to zeros, when something first uses it, and a texture that has
-// not changed is not expanded again.
+// not changed is not expanded again. What no pass uses has no memory: nor has a depth target that nothing tests or writes.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,12 @@ class FrameMemory {
     // raster/color_format.h.
     void prepare(const Frame& frame, StoreFunction* stored);
 
-    raster::Image* image(TargetId id) { return id ? &targets_[id.index].image : nullptr; }
-    const raster::Image& image(TargetId id) const { return targets_[id.index].image; }
+    // Null if it is not used; what it would hold then is zero().
+    raster::Image* image(TargetId id) { return has_memory(id) ? &targets_[id.index].image : nullptr; }
+    std::uint32_t zero(TargetId id) const { return targets_[id.index].zero; }
+
+    // Of all targets and textures.
+    std::size_t bytes() const;
 
     // Targets start as if zeros had been written. `start` is called before a target is first drawn to: the caller
     // sets `rect` to `value` then, and the rest is so already; the rectangle is empty from the second call on.
@@ -38,16 +42,19 @@ class FrameMemory {
     // Must be told of all that is drawn.
     void add_drawn(TargetId id, const raster::Rect& rect);
 
-    // The levels of what is bound, with the filters left at their defaults; none if nothing is.
+    // The levels of what is bound, with the filters left at their defaults; none if nothing is, or nothing reads it.
     raster::Sampler sampler(const TextureBinding& binding) const;
 
   private:
+    bool has_memory(TargetId id) const { return id && targets_[id.index].image.width() > 0; }
+
     struct TargetMemory {
         raster::Image image;
         raster::Rect written;    // all else is `zero`
         std::uint32_t zero = 0;  // what a target holds once zeros have been written
         bool is_started    = false;
     };
+    enum class TextureUse : std::uint8_t { None, Read, ReadByQuads };
     struct TextureMemory {
         const std::uint32_t* texels = nullptr;  // 0xAARRGGBB, whatever the texture's format
         TextureFormat format        = TextureFormat::A8R8G8B8;
@@ -55,12 +62,13 @@ class FrameMemory {
         std::int32_t width = 0, height = 0;
         std::vector<std::uint8_t> source;
         std::vector<std::uint32_t> expanded;
-        std::vector<std::uint32_t> quads;  // of A8: raster/alpha_quads.h, level by level
-        void set(const Texture& texture);
+        std::vector<std::uint32_t> quads;  // raster/alpha_quads.h, level by level
+        void set(const Texture& texture, bool with_quads);
     };
     std::vector<TargetMemory> targets_;
-    std::vector<TextureMemory> textures_;  // only bound ones are up to date
-    std::vector<bool> is_bound_;
+    static void set_uses(const Frame& frame, std::vector<TextureUse>& uses);
+    std::vector<TextureMemory> textures_;  // only those in use are up to date
+    std::vector<TextureUse> uses_;
     const Frame* frame_ = nullptr;
 };
 
