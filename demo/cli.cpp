@@ -16,6 +16,7 @@
 #include "demo/command_plan.h"
 #include "demo/command_profiles.h"
 #include "demo/command_render.h"
+#include "demo/command_requires.h"
 #include "demo/command_scenes.h"
 #include "demo/command_vectors.h"
 #include "demo/standard_output.h"
@@ -201,6 +202,37 @@ void add_plan(CLI::App& app, Arguments& arguments) {
     });
 }
 
+std::vector<const pipeline::Profile*> parse_profiles(const std::string& name) {
+    if (name != "all") return {&parse_profile(name)};
+    std::vector<const pipeline::Profile*> all;
+    for (const pipeline::Profile& profile : pipeline::profiles()) all.push_back(&profile);
+    return all;
+}
+
+void add_requires(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("requires", "List what a scene needs: states, formats, kernels, memory");
+    command->add_option("SCENE", arguments.scene, "A built-in scene, a .toml file or a dumped frame")->required();
+    command->add_option("--profile", arguments.profile,
+                        "For a chip: dx7, ps2, gamecube or xbox; all: ideal and the four");
+    command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels");
+    CLI::Option* frame = command->add_option("--frame", arguments.frame, "Which frame of the animation");
+    command->add_option("--frames", arguments.frames, "FIRST-LAST frame of the animation, taken together")
+        ->excludes(frame);
+    command->add_option("--format", arguments.format, "text or json");
+    command->callback([command, &arguments] {
+        const auto is_given = [&](const char* name) { return command->count(name) > 0; };
+        RequiresOptions options{.scene = arguments.scene};
+        options.profiles = parse_profiles(is_given("--profile") ? arguments.profile : "ideal");
+        options.size     = optional_value(arguments.size, is_given("--size"), &parse_size);
+        if (is_given("--frames")) options.frames = parse_frames(arguments.frames);
+        if (is_given("--frame"))
+            options.frames.first = options.frames.last = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        if (is_given("--format") && parse_plan_format(arguments.format) == PlanFormat::Json)
+            options.format = RequiresFormat::Json;
+        report_requirements(options);
+    });
+}
+
 CLI::App* add_emit(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand(
         "emit", "Write a frame in a chip's own words: registers, methods, or a program of API calls");
@@ -280,6 +312,7 @@ void run_command_line(int argc, const char* const* argv) {
     add_render(app, arguments);
     add_dump(app, arguments);
     add_metrics(app, arguments);
+    add_requires(app, arguments);
     add_plan(app, arguments);
     add_emit(app, arguments);
     add_vectors(app, arguments);
