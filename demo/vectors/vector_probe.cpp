@@ -115,7 +115,8 @@ std::vector<int> Prober::levels(TargetFormat format, std::string_view channel) {
 }
 
 Bytes Prober::draw(Frame frame, std::string_view channels) {
-    frame.arithmetic       = arithmetic_;
+    frame.arithmetic = arithmetic_;
+    if (observe_) observe_(frame);
     const ColorImage image = executor_.execute(frame).output;
     Bytes out;
     out.reserve(image.pixels.size() * channels.size());

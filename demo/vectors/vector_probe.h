@@ -5,8 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "demo/vectors/vector_tables.h"
@@ -45,10 +47,12 @@ pipeline::TextureStage ramp_color();
 pipeline::TextureStage ramp_alpha();
 pipeline::TextureStage ramp_color_and_alpha();
 
-// Draws with one arithmetic.
+// Draws with one arithmetic. observe: is shown each frame before it is drawn.
 class Prober {
   public:
-    explicit Prober(const pipeline::Arithmetic& arithmetic) : arithmetic_(arithmetic) {}
+    using Observer = std::function<void(const pipeline::Frame&)>;
+    explicit Prober(const pipeline::Arithmetic& arithmetic, Observer observe = {})
+        : arithmetic_(arithmetic), observe_(std::move(observe)) {}
 
     // Of every pixel, row by row, the channels named: "r", "a", "rgba".
     Bytes draw(const Probe& probe, std::string_view channels);
@@ -68,6 +72,7 @@ class Prober {
 
   private:
     pipeline::Arithmetic arithmetic_;
+    Observer observe_;
     pipeline::Executor executor_;
 };
 
