@@ -10,6 +10,7 @@ namespace demo {
 
 inline constexpr int kMaxFrameNumber = 999999;
 inline constexpr int kMaxThreads     = 1024;
+inline constexpr int kMaxLimit       = 1000000;
 
 // "1280x720"; each side 1 to pipeline::kMaxTargetSize.
 Size parse_size(const std::string& text);

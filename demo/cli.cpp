@@ -27,7 +27,8 @@ namespace {
 
 // The arguments as they are written; they are read only once the command line as a whole is known to be well formed.
 struct Arguments {
-    std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile, technique, mode, format;
+    std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile, technique, mode, format,
+        limit;
 };
 
 template <class Read>
@@ -91,6 +92,7 @@ CLI::App* add_render(CLI::App& app, Arguments& arguments) {
     command->add_option("--frames", arguments.frames, "FIRST-LAST frame of the animation");
     command->add_option("--passes", arguments.passes, "A directory for pictures of each pass; #### as for -o");
     command->add_option("--threads", arguments.threads, "How many threads draw; 0 is all cores");
+    command->add_option("--limit", arguments.limit, "Draw what takes up to N times the memory and filling allowed");
     command->add_option("--simd", arguments.simd, "The instruction set to draw with");
     command->add_flag("--stats{text}", arguments.statistics, "Print what each pass did: text or json");
     command->add_option("--profile", arguments.profile, "The chip to draw as: ideal, dx7, ps2, gamecube or xbox");
@@ -114,6 +116,7 @@ CLI::App* add_render(CLI::App& app, Arguments& arguments) {
         options.frames           = optional_value(arguments.frames, is_given("--frames"), &parse_frames);
         options.passes_directory = optional_value(arguments.passes, is_given("--passes"), &as_it_is);
         options.simd_target      = arguments.simd;
+        if (is_given("--limit")) options.limit = parse_number("--limit", arguments.limit, 1, kMaxLimit);
         if (is_given("--threads")) options.threads = parse_number("--threads", arguments.threads, 0, kMaxThreads);
         if (is_given("--stats")) options.statistics = parse_statistics(arguments.statistics);
         if (is_given("--technique")) options.changes.technique = parse_technique(arguments.technique);

@@ -41,9 +41,10 @@ const Emission& emission_of(const pipeline::Profile& profile) {
     throw std::runtime_error("--profile " + std::string(profile.name) + ": no chip, and so without words of its own");
 }
 
-void write(const std::string& path, std::string_view bytes) {
-    write_file(path, bytes);
-    print(path + "  " + with_separators(bytes.size()) + " bytes\n");
+void write(const std::vector<FileToWrite>& files) {
+    write_files(files);
+    for (const FileToWrite& file : files)
+        print(file.path + "  " + with_separators(file.bytes.size()) + " bytes\n");
 }
 
 std::string_view characters(const std::vector<std::uint8_t>& bytes) {
@@ -71,12 +72,13 @@ void emit(const EmitOptions& options) {
     const LegalFrame legal = drawable_chip_frame(source, chip);
     if (emission.emit == nullptr) {
         const pipeline::GsStream stream = emit_gs(legal);
-        write(path, options.as_text ? gs_text(stream) : std::string(characters(gs_dump(stream))));
-        return;
+        const std::string words = options.as_text ? gs_text(stream) : std::string(characters(gs_dump(stream)));
+        return write({{path, words}});
     }
     const Emitted emitted = emission.emit(legal, beside.filename().string());
-    if (!emitted.data.empty()) write(beside.string(), characters(emitted.data));
-    write(path, emitted.text);
+    std::vector<FileToWrite> files{{path, emitted.text}};
+    if (!emitted.data.empty()) files.insert(files.begin(), {beside.string(), characters(emitted.data)});
+    write(files);
 }
 
 }  // namespace demo

@@ -142,7 +142,7 @@ void check_paths(const RenderOptions& options, const std::string& output, const 
 void render(const RenderOptions& options) {
     choose_simd_target(options.simd_target);
     const std::future<void> loading = preload_image_module();  // while the scene is built
-    const FrameSource source(options.scene);
+    const FrameSource source(options.scene, options.limit);
     const FrameRange frames    = options.frames.value_or(FrameRange{});
     const bool is_sequence     = frames.first != frames.last;
     const std::string output   = options.output.value_or(source.name() + (is_sequence ? ".####.png" : ".png"));

@@ -19,6 +19,7 @@ struct RenderOptions {
     std::optional<Size> size;           // else the scene's
     std::optional<FrameRange> frames;   // else frame 0 alone
     std::optional<std::string> passes_directory;
+    int limit   = 1;                             // how many times pipeline::kMostWork a frame may take
     int threads = 0;                             // 0: all cores
     std::string simd_target;                     // "": the best
     FrameOptions changes;                        // of how the scene draws its clouds

@@ -10,6 +10,7 @@
 
 #include "pipeline/frame/frame_text.h"
 #include "pipeline/validate/validate.h"
+#include "pipeline/validate/work.h"
 
 namespace demo {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kDumpStart = "nimbus7 frame ";
+constexpr std::uintmax_t kMaxDumpBytes = std::uintmax_t{1} << 30;  // the largest texture takes half of it
 
 bool starts_like_a_dump(const std::string& path) {
     std::error_code error;
@@ -28,32 +30,42 @@ bool starts_like_a_dump(const std::string& path) {
 }
 
 pipeline::Frame read_dump(const std::string& path) {
+    std::error_code error;
+    if (fs::file_size(path, error) > kMaxDumpBytes)
+        throw std::runtime_error(path + ": is larger than a frame's text may be (1 GiB)");
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
     if (!file) throw std::runtime_error(path + ": cannot be read");
     try {
         return pipeline::parse_frame(text.view());
-    } catch (const pipeline::ParseError& error) {
-        throw std::runtime_error(path + ":" + std::to_string(error.line) + ":" + std::to_string(error.column) + ": " +
-                                 error.what());
+    } catch (const pipeline::ParseError& reason) {
+        throw std::runtime_error(path + ":" + std::to_string(reason.line) + ":" + std::to_string(reason.column) + ": " +
+                                 reason.what());
     }
-}
-
-void require_valid(const std::string& source, const pipeline::Frame& frame) {
-    const std::vector<pipeline::Finding> findings = pipeline::validate(frame);
-    if (findings.empty()) return;
-    std::string line = source + ": " + findings.front().where + " " + findings.front().what;
-    if (findings.size() > 1) line += " (the first of " + std::to_string(findings.size()) + " findings)";
-    throw std::runtime_error(line);
 }
 
 }  // namespace
 
-FrameSource::FrameSource(const std::string& scene) : argument_(scene), name_(fs::path(scene).stem()) {
+void FrameSource::require_valid(const pipeline::Frame& frame) const {
+    std::vector<pipeline::Finding> findings = pipeline::validate(frame);
+    std::string hint;
+    if (findings.empty()) {
+        const pipeline::Work work = pipeline::work_of(frame);
+        findings                  = pipeline::check_work(work, limit_);
+        if (findings.empty()) return;
+        hint = "; render --limit " + std::to_string(pipeline::needed_limit(work)) + " draws it all the same";
+    }
+    std::string line = argument_ + ": " + findings.front().where + " " + findings.front().what;
+    if (findings.size() > 1) line += " (the first of " + std::to_string(findings.size()) + " findings)";
+    throw std::runtime_error(line + hint);
+}
+
+FrameSource::FrameSource(const std::string& scene, int limit)
+    : argument_(scene), name_(fs::path(scene).stem()), limit_(limit) {
     if (starts_like_a_dump(scene)) {
         dumped_ = read_dump(scene);
-        require_valid(scene, *dumped_);
+        require_valid(*dumped_);
     } else {
         scene_ = load_scene(scene);
     }
@@ -72,7 +84,7 @@ pipeline::Frame FrameSource::frame(std::optional<Size> size, int index, const Fr
         return *dumped_;
     }
     pipeline::Frame frame = scene_frame(*scene_, size.value_or(default_size(*scene_)), index, options);
-    require_valid(argument_, frame);
+    require_valid(frame);
     return frame;
 }
 

@@ -13,7 +13,8 @@ namespace demo {
 
 class FrameSource {
   public:
-    explicit FrameSource(const std::string& scene);
+    // limit: how many times pipeline::kMostWork a frame may take.
+    explicit FrameSource(const std::string& scene, int limit = 1);
 
     // The scene without directory and extension: the stem of default output names.
     const std::string& name() const { return name_; }
@@ -23,7 +24,10 @@ class FrameSource {
     pipeline::Frame frame(std::optional<Size> size, int index, const FrameOptions& options = {}) const;
 
   private:
+    void require_valid(const pipeline::Frame& frame) const;
+
     std::string argument_, name_;
+    int limit_;
     ScenePtr scene_;
     std::optional<pipeline::Frame> dumped_;
 };

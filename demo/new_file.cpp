@@ -12,6 +12,7 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <stdexcept>
 
@@ -20,10 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The temporary file that a signal must remove. A signal handler may touch no std::string, hence the buffer; the path
-// is in place before the flag is set and before the file is made, and no path is used twice.
-char unfinished_path[PATH_MAX];
-std::atomic<bool> unfinished{false};
+// A temporary file that a signal must remove. A signal handler may touch no std::string, hence the buffer; the path is
+// in place before the flag is set and before the file is made, and no path is used twice.
+struct Unfinished {
+    char path[PATH_MAX];
+    std::atomic<bool> is_there{false};
+};
+Unfinished unfinished[kMaxFilesTogether];
 static_assert(std::atomic<bool>::is_always_lock_free);
 pthread_t main_thread;
 
@@ -33,7 +37,8 @@ void clean_up(int signal) {
         pthread_kill(main_thread, signal);
         return;
     }
-    if (unfinished) unlink(unfinished_path);
+    for (const Unfinished& file : unfinished)
+        if (file.is_there) unlink(file.path);
     _exit(128 + signal);
 }
 
@@ -89,7 +94,7 @@ struct OpenFile {
 
 class NewFile {
   public:
-    explicit NewFile(const std::string& path) : path_(path) {
+    NewFile(const std::string& path, Unfinished& unfinished) : path_(path), unfinished_(unfinished) {
         check_output(path);
         target_          = resolve(path);
         // Unique among processes that share the directory but not their numbering, such as containers.
@@ -97,13 +102,13 @@ class NewFile {
         const auto now   = std::chrono::system_clock::now().time_since_epoch().count();
         temporary_ = directory_of(target_) / (".nimbus7-" + std::to_string(getpid()) + "-" + std::to_string(now) + "-" +
                                               std::to_string(count++));
-        if (temporary_.size() >= sizeof unfinished_path) fail(path_, std::strerror(ENAMETOOLONG));
-        std::memcpy(unfinished_path, temporary_.c_str(), temporary_.size() + 1);
-        unfinished = true;
+        if (temporary_.size() >= sizeof unfinished_.path) fail(path_, std::strerror(ENAMETOOLONG));
+        std::memcpy(unfinished_.path, temporary_.c_str(), temporary_.size() + 1);
+        unfinished_.is_there = true;
     }
     ~NewFile() {
         if (!is_committed_ && is_made_) unlink(temporary_.c_str());
-        unfinished = false;
+        unfinished_.is_there = false;
     }
     NewFile(const NewFile&)            = delete;
     NewFile& operator=(const NewFile&) = delete;
@@ -124,23 +129,37 @@ class NewFile {
 
   private:
     std::string path_, target_, temporary_;
+    Unfinished& unfinished_;
     bool is_made_ = false, is_committed_ = false;
 };
 
+// /dev/stdout may stand for a regular file that a shell has open.
+bool is_written_as_it_is(const std::string& path) {
+    std::error_code error;
+    return path.starts_with("/dev/") || fs::is_fifo(path, error);
+}
+
+void write_as_it_is(const FileToWrite& to_write) {
+    const OpenFile file{open(to_write.path.c_str(), O_WRONLY | O_CLOEXEC)};
+    if (file.number < 0) fail(to_write.path, std::strerror(errno));
+    write_all(file.number, to_write.bytes, to_write.path);
+}
+
 }  // namespace
 
+void write_files(std::span<const FileToWrite> files) {
+    if (files.size() > kMaxFilesTogether) throw std::logic_error("too many files to write together");
+    std::deque<NewFile> made;
+    for (const FileToWrite& file : files)
+        if (!is_written_as_it_is(file.path)) made.emplace_back(file.path, unfinished[made.size()]).write(file.bytes);
+    for (const FileToWrite& file : files)
+        if (is_written_as_it_is(file.path)) write_as_it_is(file);
+    for (NewFile& file : made) file.commit();
+}
+
 void write_file(const std::string& path, std::string_view bytes) {
-    std::error_code error;
-    // /dev/stdout may stand for a regular file that a shell has open.
-    if (path.starts_with("/dev/") || fs::is_fifo(path, error)) {
-        const OpenFile file{open(path.c_str(), O_WRONLY | O_CLOEXEC)};
-        if (file.number < 0) fail(path, std::strerror(errno));
-        write_all(file.number, bytes, path);
-        return;
-    }
-    NewFile file(path);
-    file.write(bytes);
-    file.commit();
+    const FileToWrite file{path, bytes};
+    write_files({&file, 1});
 }
 
 void clean_up_on_signals() {

@@ -10,6 +10,7 @@
 #include "pipeline/execute/frame_memory.h"
 #include "pipeline/execute/lower.h"
 #include "pipeline/execute/schedule.h"
+#include "pipeline/execute/vertex_list.h"
 #include "pipeline/execute/vertex_stage.h"
 #include "pipeline/execute/window.h"
 #include "pipeline/validate/validate.h"
@@ -24,6 +25,7 @@ namespace pipeline {
 struct ExecutorMemory {
     FrameMemory frame;
     VertexStage vertex_stage;
+    VertexList window_list;
     raster::PassFiller filler;
     std::vector<raster::PassFill>
         fills;  // of the groups, one after the other: a pass finds the memory of its draws again
@@ -215,18 +217,17 @@ class FrameExecution {
         const std::span indices = std::span(frame_.indices).subspan(draw.first_index, draw.index_count);
         out.vertices.clear();
         if (indices.empty()) return;
-        const auto [least, greatest] = std::minmax_element(indices.begin(), indices.end());
-        const std::span used         = std::span(frame_.window_vertices).subspan(*least, *greatest - *least + 1);
+        VertexList& list = memory_.window_list;
+        list.set(indices);
         const raster::PixelGrid grid = pixel_grid(frame_.arithmetic);
-        out.vertices.resize(used.size());
-        std::transform(used.begin(), used.end(), out.vertices.begin(),
-                       [](const auto& vertex) { return lower(vertex); });
+        out.vertices.resize(list.size());
+        for (std::uint32_t place = 0; place < list.size(); ++place)
+            out.vertices[place] = lower(frame_.window_vertices[list.vertex(place)]);
         const auto snapped = [&](std::uint32_t corner) {
             return raster::snap_to_subpixels(grid, out.vertices[corner].x, out.vertices[corner].y);
         };
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-            const raster::TriangleCorners corners{indices[i] - *least, indices[i + 1] - *least,
-                                                  indices[i + 2] - *least};
+            const raster::TriangleCorners corners{list.corner(i), list.corner(i + 1), list.corner(i + 2)};
             if (!is_culled(cull, area_of(snapped(corners[0]), snapped(corners[1]), snapped(corners[2]))))
                 out.triangles.push_back(corners);
         }

@@ -16,7 +16,9 @@ namespace pipeline {
 
 class TextReader {
   public:
-    explicit TextReader(std::string_view text) : scan_(text) {}
+    // most_list_bytes: what the entries of one list may take. Empty braces stand for structs of up to a kilobyte.
+    explicit TextReader(std::string_view text, std::size_t most_list_bytes = std::size_t{1} << 30)
+        : scan_(text), most_list_bytes_(most_list_bytes) {}
 
     void read_first_line();
     // Fields up to the end of the text; then gives every id in `frame` what it refers to.
@@ -135,6 +137,7 @@ class TextReader {
         scan_.expect('[', "'['");
         while (!end_of_list(opened)) {
             path_.back().index = static_cast<std::ptrdiff_t>(list.size());
+            require_room(list);
             read(list.emplace_back());
         }
         path_.back().index = -1;
@@ -171,7 +174,8 @@ class TextReader {
         scan_.expect('[', "'[' before the rows");
         while (!end_of_list(opened)) {
             path_.back().index = static_cast<std::ptrdiff_t>(rows.size());
-            Struct& row        = rows.emplace_back();
+            require_room(rows);
+            Struct& row = rows.emplace_back();
             for (const std::uint32_t column : columns) {
                 std::uint32_t bit = 1;
                 visit_fields(row, [&](std::string_view, auto& field) {
@@ -181,6 +185,13 @@ class TextReader {
             }
         }
         path_.back().index = -1;
+    }
+
+    template <class T>
+    void require_room(const std::vector<T>& list) {
+        if (list.size() < most_list_bytes_ / sizeof(T)) return;
+        path_.back().index = -1;
+        scan_.fail("too many: " + path() + " may have " + std::to_string(list.size()) + " entries");
     }
 
     template <class... Alternatives>
@@ -281,6 +292,7 @@ class TextReader {
     static std::string shorten(std::string_view word);
 
     TextScanner scan_;
+    std::size_t most_list_bytes_;
     std::vector<Step> path_;
     std::vector<Reference> references_;
 };

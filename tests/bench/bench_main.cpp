@@ -9,6 +9,8 @@
 #include <sstream>
 #include <thread>
 
+#include "demo/new_file.h"
+#include "demo/standard_output.h"
 #include "pipeline/execute/execute.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/llvmpipe_child.h"
@@ -25,12 +27,6 @@ std::string read_file(const std::string& path) {
     std::ostringstream text;
     if (!file || !(text << file.rdbuf())) throw std::runtime_error(path + ": cannot be read");
     return text.str();
-}
-
-void write_file(const std::string& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
 }
 
 std::string processor() {
@@ -78,16 +74,19 @@ std::string run_benchmarks(const Options& options) {
 
 int run(const Options& options) {
     if (options.prints_help) {
-        std::fputs(kHelp, stdout);
+        demo::print(kHelp);
         return 0;
     }
+    // What cannot be written is found before minutes of measuring.
+    for (const std::optional<std::string>& output : {options.json, options.plot})
+        if (output && !output->starts_with("/dev/")) demo::check_output(*output);
     const std::string json = options.from ? read_file(*options.from) : run_benchmarks(options);
     if (json.empty()) return 1;
-    if (options.json) write_file(*options.json, json);
+    if (options.json) demo::write_file(*options.json, json);
     if (!options.prints_table && !options.plot) return 0;
     const std::vector<Figure> figures = read_figures(json);
-    if (options.prints_table) std::fputs(to_table(figures).c_str(), stdout);
-    if (options.plot) write_file(*options.plot, to_plot(figures));
+    if (options.prints_table) demo::print(to_table(figures));
+    if (options.plot) demo::write_file(*options.plot, to_plot(figures));
     return 0;
 }
 
@@ -101,6 +100,7 @@ int main(int argc, char** argv) {
             return bench::serve_llvmpipe(words[1], std::stoi(words[2]));
         if (words.size() == 3 && words[0] == bench::kPeakMemoryArgument)
             return bench::print_peak_memory(words[1], std::stoi(words[2]));
+        demo::clean_up_on_signals();
         return bench::run(bench::parse_options(words));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "nimbus7_bench: %s\n", error.what());

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "pipeline/frame/field_traits.h"
+#include "pipeline/frame/text_reader.h"
 #include "tests/support/random.h"
 #include "tests/support/random_frame.h"
 
@@ -402,6 +403,24 @@ TEST_CASE("deep and long nonsense is refused at once") {
         CHECK(error_of(text).empty() == is_frame);
         CHECK(error_of(start + "passes " + text.substr(start.size())).empty() == false);
     }
+}
+
+TEST_CASE("a list has no more entries than memory is meant for") {
+    const std::size_t most = 10 * sizeof(Pass);
+    const auto read        = [&](const std::string& text) {
+        Frame frame;
+        TextReader(text, most).read_top_level(frame);
+        return frame;
+    };
+    std::string passes = "passes [";
+    for (int i = 0; i < 10; ++i) passes += " {}";
+    CHECK(read(passes + "]").passes.size() == 10);
+    CHECK_THROWS_WITH(read(passes + " {}]"), "too many: passes may have 10 entries");
+    const std::size_t rows = most / sizeof(Vertex);
+    std::string vertices   = "vertices columns (uv0) [";
+    for (std::size_t i = 0; i < rows; ++i) vertices += " (0 0)";
+    CHECK(read(vertices + "]").vertices.size() == rows);
+    CHECK_THROWS_AS(read(vertices + " (0 0)]"), ParseError);
 }
 
 TEST_CASE("diff names each field that differs") {

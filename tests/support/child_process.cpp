@@ -2,7 +2,10 @@
 #include "tests/support/child_process.h"
 
 #include <fcntl.h>
+#include <linux/ptrace.h>
+#include <sys/ptrace.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,7 +27,7 @@ namespace fs = std::filesystem;
 // Between fork and exec: system calls alone.
 [[noreturn]] void become(const char* program, char* const* arguments, const char* directory, const char* out,
                          const char* error, const RunOptions& options) {
-    const int out_file   = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int out_file   = open(options.has_full_output ? "/dev/full" : out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int error_file = open(error, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (out_file < 0 || error_file < 0 || dup2(out_file, 1) < 0 || dup2(error_file, 2) < 0) _exit(126);
     if (chdir(directory) != 0) _exit(126);
@@ -33,8 +36,39 @@ namespace fs = std::filesystem;
         const rlimit limit{static_cast<rlim_t>(options.max_file_bytes), static_cast<rlim_t>(options.max_file_bytes)};
         if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(126);
     }
+    if (options.interrupt_in_midst != Midst::Never && ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(126);
     execv(program, arguments);
     _exit(127);
+}
+
+// Follows the child's main thread from one system call to the next, up to that which makes a new file, or the first that
+// writes to it; the signal reaches the child when the call has been done.
+void interrupt_in_midst(pid_t child, Midst midst) {
+    bool is_made = false;
+    for (;;) {
+        siginfo_t info{};
+        // Leaves a child that has ended to the caller.
+        if (waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WSTOPPED | WNOWAIT) != 0) return;
+        if (info.si_code != CLD_TRAPPED && info.si_code != CLD_STOPPED) return;
+        int state = 0;
+        waitpid(child, &state, 0);
+        const int stopped_by = WSTOPSIG(state);
+        __ptrace_syscall_info call{};
+        ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
+        ptrace(PTRACE_GET_SYSCALL_INFO, child, sizeof call, &call);
+        if (stopped_by == (SIGTRAP | 0x80) && call.op == PTRACE_SYSCALL_INFO_ENTRY) {
+            const bool makes  = call.entry.nr == SYS_openat && (call.entry.args[2] & O_EXCL) != 0;
+            const bool writes = is_made && call.entry.nr == SYS_write;
+            is_made           = is_made || makes;
+            if (midst == Midst::Made ? makes : writes) {
+                kill(child, SIGINT);
+                ptrace(PTRACE_DETACH, child, nullptr, nullptr);
+                return;
+            }
+        }
+        const bool is_own = stopped_by == (SIGTRAP | 0x80) || stopped_by == SIGTRAP;  // exec stops by the second
+        ptrace(PTRACE_SYSCALL, child, nullptr, is_own ? 0 : stopped_by);
+    }
 }
 
 }  // namespace
@@ -85,6 +119,7 @@ Ended run_program(const std::string& program, const std::vector<std::string>& ar
     if (child == 0) {
         become(program.c_str(), pointers.data(), directory.c_str(), out.c_str(), error.c_str(), options);
     }
+    if (options.interrupt_in_midst != Midst::Never) interrupt_in_midst(child, options.interrupt_in_midst);
     if (options.interrupt_after_ms > 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(options.interrupt_after_ms));
         kill(child, SIGINT);

@@ -32,9 +32,14 @@ struct Ended {
     std::string out, error;
 };
 
+// In the midst of making a file, by the main thread: the file is there and empty, or is whole and not in its place yet.
+enum class Midst : std::uint8_t { Never, Made, Written };
+
 struct RunOptions {
     std::int64_t max_file_bytes = 0;  // of each file it writes; 0: no limit
     int interrupt_after_ms      = 0;  // sends SIGINT then; 0: never
+    Midst interrupt_in_midst    = Midst::Never;  // sends SIGINT then, of the first file
+    bool has_full_output        = false;         // standard output is /dev/full
 };
 
 Ended run_program(const std::string& program, const std::vector<std::string>& arguments, const std::string& directory,
