@@ -43,8 +43,7 @@ const Emission& emission_of(const pipeline::Profile& profile) {
 
 void write(const std::vector<FileToWrite>& files) {
     write_files(files);
-    for (const FileToWrite& file : files)
-        print(file.path + "  " + with_separators(file.bytes.size()) + " bytes\n");
+    for (const FileToWrite& file : files) print(file.path + "  " + with_separators(file.bytes.size()) + " bytes\n");
 }
 
 std::string_view characters(const std::vector<std::uint8_t>& bytes) {
@@ -72,7 +71,7 @@ void emit(const EmitOptions& options) {
     const LegalFrame legal = drawable_chip_frame(source, chip);
     if (emission.emit == nullptr) {
         const pipeline::GsStream stream = emit_gs(legal);
-        const std::string words = options.as_text ? gs_text(stream) : std::string(characters(gs_dump(stream)));
+        const std::string words         = options.as_text ? gs_text(stream) : std::string(characters(gs_dump(stream)));
         return write({{path, words}});
     }
     const Emitted emitted = emission.emit(legal, beside.filename().string());

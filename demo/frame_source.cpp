@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kDumpStart = "nimbus7 frame ";
+constexpr std::string_view kDumpStart  = "nimbus7 frame ";
 constexpr std::uintmax_t kMaxDumpBytes = std::uintmax_t{1} << 30;  // the largest texture takes half of it
 
 bool starts_like_a_dump(const std::string& path) {

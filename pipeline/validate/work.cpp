@@ -66,9 +66,9 @@ class Bounds {
 // Where the viewport puts a vertex, and beyond which of the viewport's sides and the near plane it is.
 struct Placed {
     double x = 0.0, y = 0.0;
-    std::uint8_t outside   = 0;
-    bool is_placed         = false;  // in front of the eye
-    bool was_looked_at     = false;
+    std::uint8_t outside = 0;
+    bool is_placed       = false;  // in front of the eye
+    bool was_looked_at   = false;
 };
 
 class Projection {
@@ -80,17 +80,16 @@ class Projection {
                   to_double(draw.world)) {}
 
     Placed place(std::uint32_t index) const {
-        const Vec3& position = frame_.vertices[index].position;
-        const glm::dvec4 clip =
-            matrix_ * glm::dvec4(double{position.x}, double{position.y}, double{position.z}, 1.0);
+        const Vec3& position  = frame_.vertices[index].position;
+        const glm::dvec4 clip = matrix_ * glm::dvec4(double{position.x}, double{position.y}, double{position.z}, 1.0);
         Placed placed{.was_looked_at = true};
-        placed.outside = static_cast<std::uint8_t>((clip.x < -clip.w ? 1 : 0) | (clip.x > clip.w ? 2 : 0) |
+        placed.outside   = static_cast<std::uint8_t>((clip.x < -clip.w ? 1 : 0) | (clip.x > clip.w ? 2 : 0) |
                                                    (clip.y < -clip.w ? 4 : 0) | (clip.y > clip.w ? 8 : 0) |
                                                    (clip.z < 0.0 ? 16 : 0) | (clip.z > clip.w ? 32 : 0));
         // Single precision may see the eye's plane elsewhere; and what it cannot hold it drops.
         placed.is_placed = clip.w > 1e-4 * (std::abs(clip.x) + std::abs(clip.y));
-        placed.x = viewport_.x0 + (1.0 + clip.x / clip.w) * 0.5 * (viewport_.x1 - viewport_.x0);
-        placed.y = viewport_.y0 + (1.0 - clip.y / clip.w) * 0.5 * (viewport_.y1 - viewport_.y0);
+        placed.x         = viewport_.x0 + (1.0 + clip.x / clip.w) * 0.5 * (viewport_.x1 - viewport_.x0);
+        placed.y         = viewport_.y0 + (1.0 - clip.y / clip.w) * 0.5 * (viewport_.y1 - viewport_.y0);
         return placed;
     }
 

@@ -25,12 +25,12 @@ bool require_agreement(const Frame& frame, std::uint32_t seed) {
     const Work work = work_of(frame);
     if (work.pixels > kMostPixels || work.triangles > kMostTriangles || work.bytes > kMostBytes) return false;
 
-    const Drawn want = draw_reference(frame);
+    const Drawn want                              = draw_reference(frame);
     static const std::vector<std::string> targets = simd_targets();
     for (std::size_t i = 0; i < targets.size(); ++i) {
         force_simd_target(targets[i]);
         const ExecuteOptions options{.threads = 1 + static_cast<int>((seed + i) % 3), .tile_order_seed = seed};
-        const std::string how = targets[i] + ", " + std::to_string(options.threads) + " threads: ";
+        const std::string how       = targets[i] + ", " + std::to_string(options.threads) + " threads: ";
         const std::string different = difference(draw(frame, options), want);
         require(different.empty(), how + different);
         const Execution grouped = execute(frame, options);  // not observed, passes are drawn in groups

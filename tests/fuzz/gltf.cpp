@@ -44,7 +44,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         for (const double seconds : {0.0, particles.duration() / 3.0, particles.duration() + 1.0}) {
             const std::vector<cloud::Particle> all = particles.at(seconds);
             fuzz::require(all.size() <= demo::kMaxParticlesPerCloud, "too many particles");
-            for (const cloud::Particle& particle : all) fuzz::require(is_in_world(particle.center), "a particle is lost");
+            for (const cloud::Particle& particle : all)
+                fuzz::require(is_in_world(particle.center), "a particle is lost");
         }
     });
     complain_or([&] {
@@ -53,7 +54,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         for (const demo::GltfPart& part : mesh.parts) {
             fuzz::require(!part.indices.empty() && part.indices.size() % 3 == 0, "no whole triangles");
             fuzz::require(part.texture < static_cast<int>(mesh.textures.size()), "no such texture");
-            for (const std::uint32_t index : part.indices) fuzz::require(index < part.vertices.size(), "no such vertex");
+            for (const std::uint32_t index : part.indices)
+                fuzz::require(index < part.vertices.size(), "no such vertex");
             for (const demo::GltfVertex& vertex : part.vertices) {
                 fuzz::require(is_in_world(vertex.position), "a vertex is lost");
                 fuzz::require(std::isfinite(vertex.uv.x) && std::isfinite(vertex.uv.y), "uv is no number");

@@ -80,8 +80,8 @@ TEST_CASE("no frame covers more than its work says, and rarely is it much less",
     std::uint64_t said = 0, done = 0;
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         INFO("seed " << seed);
-        const Frame frame = random_frame(seed);
-        const Work work   = work_of(frame);
+        const Frame frame     = random_frame(seed);
+        const Work work       = work_of(frame);
         std::uint64_t covered = 0, cleared = 0;
         for (const PassCounts& counts : execute(frame).counts) covered += counts.covered, cleared += counts.cleared;
         CHECK(work.pixels >= covered + cleared);
@@ -95,8 +95,7 @@ TEST_CASE("what is beyond a limit is found, with the limit that would do", "[wor
     CHECK(check_work(kMostWork).empty());
     Work work = kMostWork;
     ++work.pixels;
-    CHECK(check_work(work) ==
-          std::vector{Finding{"frame", "must fill at most 17179869184 pixels (got 17179869185)"}});
+    CHECK(check_work(work) == std::vector{Finding{"frame", "must fill at most 17179869184 pixels (got 17179869185)"}});
     CHECK(needed_limit(work) == 2);
     CHECK(check_work(work, 2).empty());
     work.bytes     = 60'000'000'000;

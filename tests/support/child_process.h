@@ -36,8 +36,8 @@ struct Ended {
 enum class Midst : std::uint8_t { Never, Made, Written };
 
 struct RunOptions {
-    std::int64_t max_file_bytes = 0;  // of each file it writes; 0: no limit
-    int interrupt_after_ms      = 0;  // sends SIGINT then; 0: never
+    std::int64_t max_file_bytes = 0;             // of each file it writes; 0: no limit
+    int interrupt_after_ms      = 0;             // sends SIGINT then; 0: never
     Midst interrupt_in_midst    = Midst::Never;  // sends SIGINT then, of the first file
     bool has_full_output        = false;         // standard output is /dev/full
 };
