@@ -41,10 +41,9 @@ void append(BakedCloud& to, const BakedCloud& from) {
     to.lit.mean_color = glm::mix(to.lit.mean_color, from.lit.mean_color, share);
     if (to.cloud.box || from.cloud.box)
         to.cloud.box = hull(fractal_box(to.cloud, to.lit), fractal_box(from.cloud, from.lit));
-    to.lit.low                       = glm::min(to.lit.low, from.lit.low);
-    to.lit.high                      = glm::max(to.lit.high, from.lit.high);
-    std::vector<LitVertex>& vertices = to.lit.vertices.edit();
-    vertices.insert(vertices.end(), from.lit.vertices.begin(), from.lit.vertices.end());
+    to.lit.low  = glm::min(to.lit.low, from.lit.low);
+    to.lit.high = glm::max(to.lit.high, from.lit.high);
+    to.lit.vertices.append(from.lit.vertices);
     to.cloud.particles.insert(to.cloud.particles.end(), from.cloud.particles.begin(), from.cloud.particles.end());
     to.cloud.lights.insert(to.cloud.lights.end(), from.cloud.lights.begin(), from.cloud.lights.end());
 }

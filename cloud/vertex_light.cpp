@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <numeric>
 #include <span>
 
@@ -161,6 +162,33 @@ void light_particle(const Cloud& cloud, const Daylight& light, const Shadows& sh
 }
 
 }  // namespace
+
+LitVertices::LitVertices(std::vector<LitVertex> vertices) {
+    if (!vertices.empty()) parts_ = {{0, std::make_shared<std::vector<LitVertex>>(std::move(vertices))}};
+}
+
+const LitVertices::Part& LitVertices::part_of(std::size_t i) const {
+    return *std::prev(std::upper_bound(parts_.begin(), parts_.end(), i,
+                                       [](std::size_t at, const Part& part) { return at < part.first; }));
+}
+
+std::vector<LitVertex> LitVertices::all() const {
+    std::vector<LitVertex> vertices;
+    vertices.reserve(size());
+    for (const Part& part : parts_) vertices.insert(vertices.end(), part.vertices->begin(), part.vertices->end());
+    return vertices;
+}
+
+void LitVertices::append(const LitVertices& others) {
+    const std::size_t before = size();
+    for (const Part& part : std::vector<Part>(others.parts_)) parts_.push_back({before + part.first, part.vertices});
+}
+
+std::vector<LitVertex>& LitVertices::edit() {
+    if (parts_.size() != 1 || parts_[0].vertices.use_count() > 1)
+        parts_ = {{0, std::make_shared<std::vector<LitVertex>>(all())}};
+    return *parts_[0].vertices;
+}
 
 LitParticles light_particles(const Cloud& cloud, const Daylight& light, const ForEach& for_each) {
     const Shadows shadows(cloud);

@@ -27,29 +27,34 @@ struct LitVertex {
     float sun       = 1.0f;
 };
 
-// A list whose copies share its memory until one of them is changed: clouds are copied for every frame, and most have not
-// changed.
+// A list whose copies share its memory until one of them is changed, and so do lists put together from others: clouds are
+// copied and merged for every frame, and most have not changed.
 class LitVertices {
   public:
     LitVertices() = default;
-    explicit LitVertices(std::vector<LitVertex> vertices)
-        : shared_(std::make_shared<std::vector<LitVertex>>(std::move(vertices))) {}
+    explicit LitVertices(std::vector<LitVertex> vertices);
 
-    std::size_t size() const { return shared_ ? shared_->size() : 0; }
+    std::size_t size() const { return parts_.empty() ? 0 : parts_.back().first + parts_.back().vertices->size(); }
     bool empty() const { return size() == 0; }
-    const LitVertex* data() const { return shared_ ? shared_->data() : nullptr; }
-    const LitVertex* begin() const { return data(); }
-    const LitVertex* end() const { return data() + size(); }
-    const LitVertex& operator[](std::size_t i) const { return (*shared_)[i]; }
-
-    // To change this one.
-    std::vector<LitVertex>& edit() {
-        if (!shared_ || shared_.use_count() > 1) shared_ = std::make_shared<std::vector<LitVertex>>(begin(), end());
-        return *shared_;
+    // Those of one particle lie one behind the other.
+    const LitVertex& operator[](std::size_t i) const {
+        const Part& part = parts_.size() == 1 ? parts_[0] : part_of(i);
+        return (*part.vertices)[i - part.first];
     }
+    std::vector<LitVertex> all() const;
+
+    void append(const LitVertices& others);
+    // To change this list alone.
+    std::vector<LitVertex>& edit();
 
   private:
-    std::shared_ptr<std::vector<LitVertex>> shared_;
+    struct Part {
+        std::size_t first;
+        std::shared_ptr<std::vector<LitVertex>> vertices;
+    };
+    const Part& part_of(std::size_t i) const;
+
+    std::vector<Part> parts_;  // none is empty, but by an edit
 };
 
 // icosphere_vertices(kFinestLevel) vertices for each particle, in the cloud's order.

@@ -186,7 +186,7 @@ void shade_by_clouds(const Surroundings& around, std::span<const Vec3> points, c
                     const float inside = radius2 - miss;
                     const float chord  = 2.0f * std::sqrt(inside > 0.0f ? inside : 0.0f);
                     const float adds   = chord * particle.alpha * cloud.absorption * cloud.opacity;
-                    depth[i] += meets[i] & (along > 0.0f) ? adds : 0.0f;
+                    depth[i] += (meets[i] & (along > 0.0f)) ? adds : 0.0f;
                 }
             }
         }

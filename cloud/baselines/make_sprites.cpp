@@ -74,9 +74,7 @@ class OuterLight {
                 const LitVertex& vertex = baked.lit.vertices[i * icosphere_vertices(kFinestLevel) + v];
                 if (!is_inside_another(baked.cloud, to_ball, i, vertex.position)) vertices_.push_back(vertex);
             }
-        if (vertices_.empty())
-            vertices_.assign(baked.lit.vertices.begin(),
-                             baked.lit.vertices.end());  // particles that lie in each other all around
+        if (vertices_.empty()) vertices_ = baked.lit.vertices.all();  // particles that lie in each other all around
     }
 
     Vec3 mean_near(Vec3 point) const {

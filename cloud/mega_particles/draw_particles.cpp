@@ -60,11 +60,11 @@ DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_
     frame.indices.reserve(indices);
     for (std::size_t particle : order) {
         if (!is_there(particle)) continue;
-        const int level       = level_of_its_mesh(particle);
-        const auto first      = static_cast<std::uint32_t>(frame.vertices.size());
-        const std::size_t lit = particle * icosphere_vertices(kFinestLevel);
+        const int level            = level_of_its_mesh(particle);
+        const auto first           = static_cast<std::uint32_t>(frame.vertices.size());
+        const LitVertex* const lit = &draw.baked.lit.vertices[particle * icosphere_vertices(kFinestLevel)];
         for (std::uint32_t v = 0; v < icosphere_vertices(level); ++v)
-            frame.vertices.push_back(vertex_of(draw.baked.cloud.particles[particle], draw.baked.lit.vertices[lit + v]));
+            frame.vertices.push_back(vertex_of(draw.baked.cloud.particles[particle], lit[v]));
         for (std::uint32_t index : icosphere().indices[static_cast<std::size_t>(level)])
             frame.indices.push_back(first + index);
     }

@@ -260,9 +260,9 @@ TEST_CASE("a flat particle casts a thin shadow from above and a long one from th
     // Of the vertex that faces the sun.
     const auto lit_share     = [&](std::size_t particle, Vec3 to_sun) {
         const Daylight light{.to_sun = to_sun, .sun = Vec3(0.5f), .sky = Vec3(0.0f), .bounce = Vec3(0.0f)};
-        const LitParticles lit  = light_particles(cloud, light);
-        const std::size_t count = lit.vertices.size() / cloud.particles.size();
-        const auto first        = lit.vertices.begin() + static_cast<std::ptrdiff_t>(particle * count);
+        const std::vector<LitVertex> lit = light_particles(cloud, light).vertices.all();
+        const std::size_t count          = lit.size() / cloud.particles.size();
+        const auto first                 = lit.begin() + static_cast<std::ptrdiff_t>(particle * count);
         return std::max_element(first, first + static_cast<std::ptrdiff_t>(count),
                                     [&](const LitVertex& a, const LitVertex& b) {
                                     return glm::dot(a.normal, to_sun) < glm::dot(b.normal, to_sun);
@@ -324,7 +324,15 @@ TEST_CASE("clouds that reach into each other become one", "[cloud]") {
     CHECK(merge_touching({at(0, 1), at(15, 2)}).size() == 2);             // drawn differently: layers
     const std::vector<BakedCloud> merged = merge_touching({at(0, 1), at(15, 1)});
     CHECK(merged[0].cloud.particles.size() == 2);
-    CHECK(merged[0].lit.vertices.size() == 2 * at(0, 1).lit.vertices.size());
+    const BakedCloud left = at(0, 1), right = at(15, 1);
+    const std::size_t count = left.lit.vertices.size();
+    CHECK(merged[0].lit.vertices.size() == 2 * count);
+    // In the order of their places; copies of them are theirs.
+    for (const std::size_t i : {std::size_t{0}, std::size_t{5}, count - 1}) {
+        CHECK(merged[0].lit.vertices[i].position == left.lit.vertices[i].position);
+        CHECK(merged[0].lit.vertices[count + i].position == right.lit.vertices[i].position);
+        CHECK(merged[0].lit.vertices.all()[count + i].position == right.lit.vertices[i].position);
+    }
     CHECK(merged[0].lit.high.x > 24.0f);
     // The one with the most particles leads, whatever the order.
     BakedCloud small = at(0, 1), large = at(15, 1);

@@ -122,7 +122,7 @@ TEST_CASE("the middle of a ball before the sun gets what its diameter lets throu
 
     const BakedCloud baked = bake(cloud, before);
     float greatest = 0.0f, nearest = 1.0f;
-    for (const LitVertex& v : baked.lit.vertices) {
+    for (const LitVertex& v : baked.lit.vertices.all()) {
         CHECK((v.sun >= 0.0f && v.sun <= 1.0f));
         if (std::abs(v.normal.z - 0.70710678f) < nearest) {
             nearest  = std::abs(v.normal.z - 0.70710678f);
@@ -143,7 +143,7 @@ TEST_CASE("silver linings are finite and bounded, wherever the eye is", "[cloud]
         const BakedCloud baked = bake(cloud, light);
         const Vec3 eye = i == 0 ? baked.lit.vertices[7].position : Vec3(anywhere(random), 60.0f, anywhere(random));
         bool bounded   = true;
-        for (const LitVertex& vertex : baked.lit.vertices) {
+        for (const LitVertex& vertex : baked.lit.vertices.all()) {
             const Vec3 added = silver_lining(cloud, light, vertex, eye);
             for (int c = 0; c < 3; ++c) bounded &= added[c] >= 0.0f && added[c] <= 4.0f * light.sun[c];
             any |= added.x > 0.0f;

@@ -48,7 +48,7 @@ TEST_CASE("the side to the sun is brighter than the base, and shadow is bluer th
         CHECK(luminance(top) > 1.5f * luminance(base));
     }
     Vec3 sunlit(0.0f), shaded(0.0f);
-    for (const LitVertex& v : lit.vertices) {
+    for (const LitVertex& v : lit.vertices.all()) {
         for (int channel = 0; channel < 3; ++channel) {
             CHECK(v.light[channel] >= 0.0f);
             CHECK(v.light[channel] <= 0.951f);
