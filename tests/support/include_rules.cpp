@@ -46,6 +46,7 @@ const std::vector<Layer> kLayers = {
     {"raster/", {"raster/"}},
     {"pipeline/frame/", {"pipeline/frame/"}},
     {"pipeline/execute/", {"pipeline/", "raster/"}},
+    {"pipeline/truth/", {"pipeline/truth/", "pipeline/frame/"}},
     {"pipeline/", {"pipeline/"}},
     {"cloud/", {"cloud/", "pipeline/frame/"}},
     {"demo/", {"demo/", "cloud/", "pipeline/"}},
