@@ -18,13 +18,12 @@ Pass& append_pass(const CloudDraw& draw, const std::string& what, TargetId color
 
 DrawRectangle blit(TargetId source, int source_width, int source_height, float scale, float shift) {
     // The pyramid is of a size rounded up to 2^kMaxBlurLevels: more than twice as large as what is less than half of that.
-    const bool is_small = std::min(source_width, source_height) < (1 << kMaxBlurLevels) / 2;
-    const float times   = is_small ? 1 << kMaxBlurLevels : 2;
+    const auto times = [](int size) { return size < (1 << kMaxBlurLevels) / 2 ? float{1 << kMaxBlurLevels} : 2.0f; };
     DrawRectangle rectangle;
     rectangle.x0 = rectangle.y0 = shift;
-    rectangle.x1                = shift + times * scale * static_cast<float>(source_width);
-    rectangle.y1                = shift + times * scale * static_cast<float>(source_height);
-    rectangle.uv[0]             = {.u0 = 0.0f, .v0 = 0.0f, .u1 = times, .v1 = times};
+    rectangle.x1                = shift + times(source_width) * scale * static_cast<float>(source_width);
+    rectangle.y1                = shift + times(source_height) * scale * static_cast<float>(source_height);
+    rectangle.uv[0]             = {.u0 = 0.0f, .v0 = 0.0f, .u1 = times(source_width), .v1 = times(source_height)};
     rectangle.textures[0]       = {.texture = {}, .target = source};
     return rectangle;
 }

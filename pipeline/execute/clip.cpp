@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/execute/clip.h"
 
+#include <algorithm>
+
 namespace pipeline {
 namespace {
 
@@ -51,6 +53,11 @@ ClippedPolygon clip_triangle(const ClipVolume& volume, const std::array<ClipVert
     for (int plane = 0; plane < kClipPlanes; ++plane) {
         clip_to_plane(volume, plane, polygons[current], polygons[1 - current]);
         current = 1 - current;
+    }
+    // Where large numbers cancel, rounding leaves less than the plane asks for, or nothing.
+    for (int i = 0; i < polygons[current].count; ++i) {
+        float& w = polygons[current].corners[i].position.w;
+        w        = std::max(w, kLeastW);
     }
     return polygons[current];
 }
