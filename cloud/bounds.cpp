@@ -101,6 +101,10 @@ PixelRect grow(const PixelRect& rect, int pixels, int width, int height) {
             std::min(rect.y1 + pixels, height)};
 }
 
+PixelRect hull(const PixelRect& a, const PixelRect& b) {
+    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 PixelRect at_level(const PixelRect& rect, int level) {
     return {rect.x0 >> level, rect.y0 >> level, rect.x1 >> level, rect.y1 >> level};
 }

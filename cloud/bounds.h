@@ -34,6 +34,9 @@ std::optional<PixelRect> screen_bounds(const Cloud& cloud, const View& view, int
 // Grown by `pixels` on all sides, within width x height.
 PixelRect grow(const PixelRect& rect, int pixels, int width, int height);
 
+// The smallest around both.
+PixelRect hull(const PixelRect& a, const PixelRect& b);
+
 // The same part of a target of half the size, `level` times over.
 PixelRect at_level(const PixelRect& rect, int level);
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cloud/cloud.h"
+#include "cloud/mega_particles/options.h"
 #include "pipeline/frame/frame.h"
 
 namespace demo {
@@ -49,7 +50,7 @@ struct FrameOptions {
     std::optional<cloud::Order> order;         // of all clouds; OrderFree draws them after all else
     std::optional<pipeline::Vec3> flat_scene;  // all but the clouds in one colour; depth as it was
     bool has_clouds = true, has_detail = true;
-    bool shares_passes = true;                       // of clouds that are apart; the picture is the same
+    cloud::MegaParticleOptions mega_particles;
     std::optional<std::size_t> only_cloud;           // of the scene's, counted from 0
     pipeline::Vec2 shift_px = pipeline::Vec2(0.0f);  // of the picture: the projection's middle moves
 };

@@ -181,9 +181,8 @@ class SceneFrame {
         const cloud::SceneTargets targets{.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = fog()};
         switch (options_.technique) {
             case Technique::MegaParticles:
-                return cloud::append_mega_particles(
-                    frame_, targets, view_, cloud::merge_touching(std::move(clouds)),
-                    options_.shares_passes ? cloud::Passes::Shared : cloud::Passes::OneByOne);
+                return cloud::append_mega_particles(frame_, targets, view_, cloud::merge_touching(std::move(clouds)),
+                                                    options_.mega_particles);
             case Technique::Sprites:
                 return cloud::append_sprite_clouds(frame_, targets, view_, clouds);
             case Technique::Slices:

@@ -12,7 +12,8 @@ struct Pyramid {
 
     const Target& target(TargetId id) const { return draw.frame.targets[static_cast<std::size_t>(id.index)]; }
     TargetId front(int level) const {
-        return level == 0 ? draw.targets.particles : draw.targets.front[static_cast<std::size_t>(level)];
+        return level == draw.blur.first_level ? draw.targets.particles
+                                              : draw.targets.front[static_cast<std::size_t>(level)];
     }
     TargetId back(int level) const { return draw.targets.back[static_cast<std::size_t>(level)]; }
 
@@ -36,9 +37,11 @@ struct Pyramid {
         append_blit("tent, left and up by half a texel", back(level), front(level), level, draw.bounds, 1.0f, 0.5f);
     }
 
-    // Weights 3/4 and 1/4 in both axes.
-    void append_up(int level) const {
-        append_blit("upsample 1:2 (bilinear)", front(level + 1), front(level), level, draw.bounds, 2.0f, 0.0f);
+    // By 1:2 the weights are 3/4 and 1/4 in both axes.
+    void append_up(int level, int by_levels) const {
+        const int times = 1 << by_levels;
+        append_blit("upsample 1:" + std::to_string(times) + " (bilinear)", front(level + by_levels), front(level),
+                    level, draw.bounds, static_cast<float>(times), 0.0f);
     }
 };
 
@@ -46,14 +49,22 @@ struct Pyramid {
 
 void append_blur(const CloudDraw& draw) {
     const Pyramid pyramid{draw};
-    const BlurPlan& plan = draw.blur;
-    for (int level = 1; level <= plan.levels; ++level) {
-        pyramid.append_down(level);
-        if (plan.inner_tents && level < plan.levels) pyramid.append_tent(level);
+    const BlurPlan& plan    = draw.blur;
+    const auto append_tents = [&](int level, int count) {
+        for (int i = 0; i < count; ++i) pyramid.append_tent(level);
+    };
+    for (int level = plan.first_level; level < plan.levels; ++level) {
+        if (level > 0)
+            append_tents(level, plan.extra_tents[static_cast<std::size_t>(level)] + (plan.inner_tents ? 1 : 0));
+        pyramid.append_down(level + 1);
     }
-    for (int i = 0; i < plan.bottom_tents; ++i) pyramid.append_tent(plan.levels);
-    for (int level = plan.levels - 1; level >= 0; --level) {
-        pyramid.append_up(level);
+    append_tents(plan.levels, plan.bottom_tents);
+    if (plan.rise == BlurRise::Jump) {
+        if (plan.levels > plan.first_level) pyramid.append_up(plan.first_level, plan.levels - plan.first_level);
+        return;
+    }
+    for (int level = plan.levels - 1; level >= plan.first_level; --level) {
+        pyramid.append_up(level, 1);
         if (plan.inner_tents && level > 0) pyramid.append_tent(level);
     }
 }

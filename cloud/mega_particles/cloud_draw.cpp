@@ -18,7 +18,9 @@ Pass& append_pass(const CloudDraw& draw, const std::string& what, TargetId color
 
 DrawRectangle blit(TargetId source, int source_width, int source_height, float scale, float shift) {
     // The pyramid is of a size rounded up to 2^kMaxBlurLevels: more than twice as large as what is less than half of that.
-    const auto times = [](int size) { return size < (1 << kMaxBlurLevels) / 2 ? float{1 << kMaxBlurLevels} : 2.0f; };
+    const auto times = [scale](int size) {
+        return scale > 2.0f ? 1.0f : size < (1 << kMaxBlurLevels) / 2 ? float{1 << kMaxBlurLevels} : 2.0f;
+    };
     DrawRectangle rectangle;
     rectangle.x0 = rectangle.y0 = shift;
     rectangle.x1                = shift + times(source_width) * scale * static_cast<float>(source_width);

@@ -14,12 +14,17 @@
 
 namespace cloud {
 
-// Memory that all clouds of a frame use, one after the other. particles: the article's render target, of the back
-// buffer's size. The pyramid is that of a target rounded up to width x height, multiples of 2^kMaxBlurLevels, so that
-// each level is exactly half the one above: front[k], back[k] are of width >> k, and 0 stands for nothing. eroded: of
-// the back buffer's size, only there if a cloud needs it.
+// Memory that all clouds of a frame use, one after the other. The pyramid is that of a target rounded up to width x
+// height, multiples of 2^kMaxBlurLevels, so that each level is exactly half the one above: front[k], back[k] are of
+// width >> k, and an index of -1 stands for nothing.
+// particles: the article's render target, of the back buffer's size; at a smaller scale it is the level of the pyramid
+// that the blur begins with. depth: of its size, with the scene's. camera, projection: see through it as the scene's
+// see through the picture. finished: what the blur has left, at the back buffer's size; the particles' own at full
+// scale, else only there if a cloud needs it, as is eroded.
 struct CloudTargets {
-    pipeline::TargetId particles, eroded;
+    pipeline::TargetId particles, depth, finished, eroded;
+    pipeline::CameraId camera;
+    Mat4 projection = Mat4(1.0f);
     std::vector<pipeline::TargetId> front, back;
     int width = 0, height = 0;
 };
@@ -38,6 +43,7 @@ struct CloudDraw {
     BlurPlan blur;
     PixelRect bounds, halo;
     FractalTextures fractal;
+    MegaParticleOptions options;
 };
 
 // A new pass of the frame, "<cloud>: <what>", scissored to `area` of the picture. The reference lasts until the next
@@ -46,7 +52,8 @@ pipeline::Pass& append_pass(const CloudDraw& draw, const std::string& what, pipe
 
 // A rectangle that shows a texture of source_width x source_height texels magnified by `scale`, moved right and down by
 // `shift` pixels; both in steps that 4 bits of fraction hold. It is made larger than the texture, so that it covers
-// the target whatever the shift; moving its corners, instead of its uv, keeps every coordinate exact.
+// the target whatever the shift; moving its corners, instead of its uv, keeps every coordinate exact. Magnified by more
+// than 2 it is as large, and unshifted.
 pipeline::DrawRectangle blit(pipeline::TargetId source, int source_width, int source_height, float scale, float shift);
 
 // Stages that write the bound texture as it is.

@@ -120,7 +120,7 @@ void append_displaced_composite(const CloudDraw& draw) {
     own.color_arg2          = {.source = ArgSource::TFactor};
     own.alpha_op            = TextureOp::Modulate;
     own.alpha_arg2          = {.source = ArgSource::TFactor};
-    grid.textures[0].target = draw.targets.particles;
+    grid.textures[0].target = draw.targets.finished;
     if (!premultiplied) {
         own.coords              = CoordSource::CameraPosition;
         own.transform           = screen_coordinates(view.projection);
@@ -131,7 +131,7 @@ void append_displaced_composite(const CloudDraw& draw) {
         displaced.filter        = TextureFilter::Linear;
         displaced.coords        = CoordSource::Vertex0;
         displaced.transform     = Mat4(1.0f);
-        grid.textures[1].target = draw.targets.particles;
+        grid.textures[1].target = draw.targets.finished;
     }
     pass.draws.push_back(grid);
 }

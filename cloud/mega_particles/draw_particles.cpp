@@ -36,7 +36,8 @@ std::vector<std::size_t> front_to_back(const CloudDraw& draw) {
 int level_of(const CloudDraw& draw, std::size_t particle) {
     const float radius    = greatest_radius(draw.baked.cloud.particles[particle]);
     const float clearance = std::max(distance_m(draw, particle) - radius, draw.view.near_m);
-    return choose_level(focal_px(draw.view) * radius / clearance, sigma_px(draw.blur));
+    const int chosen      = choose_level(focal_px(draw.view) * radius / clearance, sigma_px(draw.blur));
+    return std::clamp(chosen + draw.options.sphere_levels, 0, kFinestLevel);
 }
 
 // Appends the spheres, in the given order, as one draw. vertex_of(particle, vertex) makes the vertices.
@@ -103,10 +104,10 @@ Vec3 stored_color(const CloudDraw& draw, Vec3 color) {
     return Vec3(glm::dot(color, Vec3(0.299f, 0.587f, 0.114f)));
 }
 
-Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, TargetId color, PixelRect area) {
-    Pass& pass      = append_pass(draw, what, color, area);
-    pass.depth      = draw.scene.depth;
-    pass.camera     = draw.scene.camera;
+Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, PixelRect area) {
+    Pass& pass      = append_pass(draw, what, draw.targets.particles, at_level(area, draw.blur.first_level));
+    pass.depth      = draw.targets.depth;
+    pass.camera     = draw.targets.camera;
     pass.state.fog  = draw.scene.fog;
     pass.state.cull = CullMode::Clockwise;
     return pass;
@@ -117,8 +118,7 @@ Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, TargetI
 void append_particles(const CloudDraw& draw) {
     const Mode mode    = draw.baked.cloud.mode;
     const bool article = mode == Mode::Article, on_black = mode == Mode::Premultiplied || mode == Mode::Black;
-    Pass& pass =
-        append_sphere_pass(draw, "mega-particles, alpha 1", draw.targets.particles, on_black ? draw.halo : draw.bounds);
+    Pass& pass       = append_sphere_pass(draw, "mega-particles, alpha 1", on_black ? draw.halo : draw.bounds);
     pass.state.depth = {.func = CompareFunc::LessEqual, .write = true};
     if (on_black) pass.clear.color = Argb{0x00000000};
     if (inside_a_particle(draw, false)) pass.state.cull = CullMode::None;
@@ -133,8 +133,15 @@ void append_particles(const CloudDraw& draw) {
 }
 
 void append_skirt(const CloudDraw& draw) {
-    Pass& pass = append_sphere_pass(draw, "skirt: inflated particles, alpha 0", draw.targets.particles, draw.halo);
-    pass.clear.color                       = to_argb(stored_color(draw, draw.baked.lit.mean_color), 0.0f);
+    const Argb mean = to_argb(stored_color(draw, draw.baked.lit.mean_color), 0.0f);
+    if (!draw.options.skirt) {
+        append_pass(draw, "clear to the mean colour, alpha 0", draw.targets.particles,
+                    at_level(draw.halo, draw.blur.first_level))
+            .clear.color = mean;
+        return;
+    }
+    Pass& pass                             = append_sphere_pass(draw, "skirt: inflated particles, alpha 0", draw.halo);
+    pass.clear.color                       = mean;
     pass.state.depth                       = {.func = CompareFunc::LessEqual, .write = false};
     std::vector<std::size_t> back_to_front = front_to_back(draw);
     std::reverse(back_to_front.begin(), back_to_front.end());
@@ -160,10 +167,12 @@ void append_rim_mask(const CloudDraw& draw) {
     start.draws.push_back(all);
     if (everywhere) return;
 
-    Pass& mask = append_sphere_pass(draw, "rim mask: where the scene is behind", draw.scene.back_buffer, draw.bounds);
+    Pass& mask      = append_pass(draw, "rim mask: where the scene is behind", draw.scene.back_buffer, draw.bounds);
+    mask.depth      = draw.scene.depth;
+    mask.camera     = draw.scene.camera;
+    mask.state.cull = CullMode::Clockwise;
     mask.state.color_mask = kAlphaAlone;
     mask.state.depth      = {.func = CompareFunc::LessEqual, .write = false};
-    mask.state.fog        = {};
     mask.draws.push_back(
         append_spheres(draw, front_to_back(draw), 1, [&](const Particle& particle, const LitVertex& lit) {
             return Vertex{.position = lit.position + lit.normal * rim_m(draw, particle),

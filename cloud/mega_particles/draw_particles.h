@@ -14,7 +14,7 @@ void append_particles(const CloudDraw& draw);
 
 // Clears to the cloud's mean colour, alpha 0, and draws every sphere inflated by 2.5 sigma, back to front, alpha 0, z
 // test without z write: when the blur spreads a rim, it mixes cloud with cloud colour, and nearer objects keep clear of
-// it.
+// it. Without MegaParticleOptions::skirt it only clears.
 void append_skirt(const CloudDraw& draw);
 
 // Marks the back buffer where the scene is behind the particles inflated by 2.5 sigma, by bit 7 of its alpha: the blurred

@@ -110,10 +110,11 @@ void append_eroding_box(const CloudDraw& draw, const Erosion& erosion) {
         blend_over_scene(draw, pass.state, kAlphaOver);
     else
         pass.clear.color = Argb{0x00000000};  // where the box does not reach
-    show_texture(pass.state, TextureFilter::Point);
+    const bool enlarges = erosion.from == draw.targets.particles && draw.blur.first_level > 0;
+    show_texture(pass.state, enlarges ? TextureFilter::Linear : TextureFilter::Point);
     TextureStage& cloud_so_far = pass.state.stages[0];
     cloud_so_far.coords        = CoordSource::CameraPosition;
-    cloud_so_far.transform     = screen_coordinates(draw.view.projection);
+    cloud_so_far.transform     = screen_coordinates(enlarges ? draw.targets.projection : draw.view.projection);
     if (erosion.is_first && (cloud.tint || cloud.dissolve > 0.0f)) {
         pass.state.texture_factor = to_argb(cloud.tint.value_or(Vec3(1.0f)), cloud.dissolve);
         cloud_so_far.color_op     = TextureOp::Modulate;

@@ -13,7 +13,7 @@ void append_multiplying_box(const CloudDraw& draw, pipeline::TargetId into, cons
 // Of skirt mode: `into` gets `from`, eroded. With n the fractal, a the blurred alpha and d what dissolves, alpha = 2 (a -
 // d) + n - 1, clamped: at d = 0 what is opaque stays so, what is empty stays empty, and the rim moves by about 0.7 sigma
 // either way. `from`, of the back buffer's size, is read at each pixel's own texel by coordinates projected from the
-// camera, and the box's sides hide each other: onto the back buffer this blends the cloud in a single layer.
+// camera (the particles' target at a smaller scale is enlarged bilinearly), and the box's sides hide each other: onto the back buffer this blends the cloud in a single layer.
 struct Erosion {
     pipeline::TargetId from, into;
     std::optional<Turn> turn;

@@ -15,6 +15,7 @@
 #include "cloud/mega_particles/displacement.h"
 #include "cloud/mega_particles/draw_particles.h"
 #include "cloud/mega_particles/fractal_box.h"
+#include "cloud/mega_particles/scaled_depth.h"
 #include "cloud/mega_particles/share_passes.h"
 
 namespace cloud {
@@ -23,26 +24,49 @@ using namespace pipeline;
 
 namespace {
 
+std::optional<Turn> second_box_turn(const Cloud& cloud, const MegaParticleOptions& options) {
+    const int boxes = options.fractal_boxes.value_or(cloud.second_box_turn ? 2 : 1);
+    if (boxes == 1) return std::nullopt;
+    return cloud.second_box_turn ? cloud.second_box_turn : -cloud.box_turn.value_or(Turn(1.0f, 0.0f));
+}
+
 // The fractal erodes once, or once more by a second box. The last to do so composites as well; but a constant opacity is
 // one factor more than two texture stages can take, and comes in a rectangle of its own.
 void append_erosions_and_composite(const CloudDraw& draw) {
     const Cloud& cloud          = draw.baked.cloud;
     const CloudTargets& targets = draw.targets;
     const bool at_once          = cloud.opacity >= 1.0f;
-    const TargetId last         = cloud.second_box_turn ? targets.particles : targets.eroded;
+    const auto second_turn      = second_box_turn(cloud, draw.options);
+    const TargetId last         = second_turn ? targets.finished : targets.eroded;
     Erosion first{.from = targets.particles, .into = targets.eroded, .turn = cloud.box_turn};
-    if (at_once && !cloud.second_box_turn) first.into = draw.scene.back_buffer;
+    if (at_once && !second_turn) first.into = draw.scene.back_buffer;
     append_eroding_box(draw, first);
-    if (cloud.second_box_turn)
+    if (second_turn)
         append_eroding_box(draw, {.from     = targets.eroded,
                                   .into     = at_once ? draw.scene.back_buffer : last,
-                                  .turn     = cloud.second_box_turn,
+                                  .turn     = second_turn,
                                   .is_first = false});
     if (!at_once) append_composite(draw, last);
 }
-bool needs_eroded(const Cloud& cloud) {
-    return cloud.detail == Detail::Fractal && cloud.mode == Mode::Skirt &&
-           (cloud.opacity < 1.0f || cloud.second_box_turn);
+bool is_eroded(const Cloud& cloud) {
+    return cloud.detail == Detail::Fractal && cloud.mode == Mode::Skirt;
+}
+bool needs_eroded(const Cloud& cloud, const MegaParticleOptions& options) {
+    return is_eroded(cloud) && (cloud.opacity < 1.0f || second_box_turn(cloud, options));
+}
+bool needs_finished(const Cloud& cloud, const MegaParticleOptions& options) {
+    return !is_eroded(cloud) || (cloud.opacity < 1.0f && second_box_turn(cloud, options));
+}
+
+// To the back buffer's size; an eroding box does that by itself.
+void append_enlargement(const CloudDraw& draw) {
+    if (draw.blur.first_level == 0 || is_eroded(draw.baked.cloud)) return;
+    const int level = draw.blur.first_level, times = 1 << level;
+    Pass& pass =
+        append_pass(draw, "enlarge 1:" + std::to_string(times) + " (bilinear)", draw.targets.finished, draw.bounds);
+    show_texture(pass.state, TextureFilter::Linear);
+    pass.draws.push_back(blit(draw.targets.particles, draw.targets.width >> level, draw.targets.height >> level,
+                              static_cast<float>(times), 0.0f));
 }
 
 // What gives the rim its relief, fixed to the cloud and not to the screen; and the blend over the back buffer.
@@ -51,13 +75,15 @@ void append_detail_and_composite(const CloudDraw& draw) {
     if (cloud.detail == Detail::Displacement) return append_displaced_composite(draw);
     if (cloud.detail == Detail::Fractal) {
         if (cloud.mode == Mode::Skirt) return append_erosions_and_composite(draw);
-        append_multiplying_box(draw, draw.targets.particles, cloud.box_turn);
-        if (cloud.second_box_turn) append_multiplying_box(draw, draw.targets.particles, cloud.second_box_turn);
+        append_multiplying_box(draw, draw.targets.finished, cloud.box_turn);
+        if (const auto second_turn = second_box_turn(cloud, draw.options))
+            append_multiplying_box(draw, draw.targets.finished, second_turn);
     }
-    append_composite(draw, draw.targets.particles);
+    append_composite(draw, draw.targets.finished);
 }
 
-// The technique. `particles` is a colour target beside the back buffer; both use the scene's depth buffer.
+// The technique. `particles` is a colour target beside the back buffer; both use the scene's depth buffer, or at a
+// smaller scale one that holds the same.
 void append_cloud(const CloudDraw& draw) {
     const Mode mode = draw.baked.cloud.mode;
     // Around the cloud, for the blur to mix in: the cloud's own colour, or the scene's. Else it is black.
@@ -65,6 +91,7 @@ void append_cloud(const CloudDraw& draw) {
     if (mode == Mode::Article) append_scene_copy(draw);
     append_particles(draw);  // the basic shape: few large spheres, lit and hidden like any object
     append_blur(draw);       // colour and alpha: hides the spheres' edges, makes the rim soft
+    append_enlargement(draw);
     if (draw.baked.cloud.order == Order::OrderFree) append_rim_mask(draw);
     append_detail_and_composite(draw);
     append_whiteout(draw);
@@ -89,18 +116,47 @@ TargetId append_target(Frame& frame, const std::string& name, int width, int hei
     return {static_cast<std::int32_t>(frame.targets.size()) - 1};
 }
 
-CloudTargets append_targets(Frame& frame, const View& view, int blur_levels, bool with_eroded) {
+// What the clouds of a frame ask of their targets. levels: first and last of the pyramid. area: all that they draw
+// particles to, in pixels of the picture.
+struct Needs {
+    int first_level = 0, last_level = 0;
+    bool eroded = false, finished = false;
+    PixelRect area;
+};
+
+CloudTargets append_targets(Frame& frame, const SceneTargets& scene, const View& view, const Needs& needs) {
     CloudTargets targets;
-    targets.width     = round_up(view.width, 1 << kMaxBlurLevels);
-    targets.height    = round_up(view.height, 1 << kMaxBlurLevels);
-    targets.particles = append_target(frame, "mega-particles", view.width, view.height);
-    targets.front.resize(1), targets.back.resize(1);
-    for (int level = 1; level <= blur_levels; ++level) {
-        const std::string name = "blur 1/" + std::to_string(1 << level);
-        targets.front.push_back(append_target(frame, name, targets.width >> level, targets.height >> level));
-        targets.back.push_back(append_target(frame, name + " back", targets.width >> level, targets.height >> level));
+    targets.width          = round_up(view.width, 1 << kMaxBlurLevels);
+    targets.height         = round_up(view.height, 1 << kMaxBlurLevels);
+    const auto append_full = [&](const std::string& name) {
+        return append_target(frame, name, view.width, view.height);
+    };
+    const auto append_level = [&](const std::string& name, int level) {
+        return append_target(frame, name, targets.width >> level, targets.height >> level);
+    };
+    const int first     = needs.first_level;
+    const auto fraction = [](int level) { return " 1/" + std::to_string(1 << level); };
+    targets.particles =
+        first == 0 ? append_full("mega-particles") : append_level("mega-particles" + fraction(first), first);
+    for (int level = 0; level <= needs.last_level; ++level) {
+        const std::string name = "blur" + fraction(level);
+        targets.front.push_back(level > first ? append_level(name, level) : TargetId{});
+        targets.back.push_back(level > 0 && level >= first ? append_level(name + " back", level) : TargetId{});
     }
-    if (with_eroded) targets.eroded = append_target(frame, "eroded", view.width, view.height);
+    if (needs.eroded) targets.eroded = append_full("eroded");
+    if (first == 0) {
+        targets.depth      = scene.depth;
+        targets.camera     = scene.camera;
+        targets.projection = view.projection;
+        targets.finished   = targets.particles;
+        return targets;
+    }
+    if (needs.finished) targets.finished = append_full("enlarged");
+    const ScaledDepth scaled =
+        append_scaled_depth(frame, scene, first, targets.width >> first, targets.height >> first, needs.area);
+    targets.depth      = scaled.depth;
+    targets.camera     = scaled.camera;
+    targets.projection = frame.cameras[static_cast<std::size_t>(scaled.camera.index)].projection;
     return targets;
 }
 
@@ -126,46 +182,52 @@ CloudPasses passes_of(const CloudDraw& draw) {
 }  // namespace
 
 void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& view,
-                           std::span<const BakedCloud> clouds, Passes passes) {
+                           std::span<const BakedCloud> clouds, const MegaParticleOptions& options) {
+    check(options);
     struct Seen {
         const BakedCloud* baked;
         BlurPlan blur;
-        PixelRect bounds;
+        PixelRect bounds, halo;
         float nearest;
     };
     std::vector<Seen> seen;
-    int blur_levels  = 0;
-    bool with_eroded = false;
+    Needs needs;
+    const int width = round_up(view.width, 1 << kMaxBlurLevels), height = round_up(view.height, 1 << kMaxBlurLevels);
     for (const BakedCloud& baked : clouds) {
-        const BlurPlan blur = plan_blur(baked.cloud.mode, wanted_sigma_px(baked, view));
+        const Mode mode     = baked.cloud.mode;
+        const BlurPlan blur = replan_blur(mode, plan_blur(mode, wanted_sigma_px(baked, view)), options);
         const auto rim      = static_cast<int>(std::ceil(3.0f * sigma_px(blur)));
         auto bounds         = screen_bounds(baked.cloud, view, rim, 1 << blur.levels);
         // Behind the eye, but around it.
         if (!bounds && whiteout(baked.cloud, view) > 0.0f)
             bounds = PixelRect{0, 0, round_up(view.width, 1 << blur.levels), round_up(view.height, 1 << blur.levels)};
         if (!bounds || baked.cloud.opacity <= 0.0f) continue;
-        seen.push_back({&baked, blur, *bounds, nearest_m(baked, view.eye)});
-        blur_levels = std::max(blur_levels, blur.levels);
-        with_eroded |= needs_eroded(baked.cloud);
+        const PixelRect halo = grow(*bounds, 1 << blur.levels, width, height);
+        needs.first_level    = blur.first_level;
+        needs.last_level     = std::max(needs.last_level, blur.levels);
+        needs.eroded |= needs_eroded(baked.cloud, options);
+        needs.finished |= needs_finished(baked.cloud, options);
+        needs.area = seen.empty() ? halo : hull(needs.area, halo);
+        seen.push_back({&baked, blur, *bounds, halo, nearest_m(baked, view.eye)});
     }
     if (seen.empty()) return;
 
     // Each cloud is blurred and composited by itself, over those behind it, so clouds never smear into each other. What
     // counts is the nearest particle: the centre of a cloud can be farther than another's that it hides.
     std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.nearest > b.nearest; });
-    const CloudTargets targets = append_targets(frame, view, blur_levels, with_eroded);
+    const CloudTargets targets = append_targets(frame, scene, view, needs);
     std::map<const FractalFaces*, FractalTextures> fractals;  // clouds may share theirs
     std::vector<CloudPasses> apart;
     for (const Seen& cloud : seen) {
-        const PixelRect halo = grow(cloud.bounds, 1 << cloud.blur.levels, targets.width, targets.height);
         FractalTextures fractal;
         if (cloud.baked->cloud.detail == Detail::Fractal) {
             const auto [entry, is_new] = fractals.try_emplace(cloud.baked->fractal.get());
             if (is_new) entry->second = append_fractal(frame, *cloud.baked);
             fractal = entry->second;
         }
-        const CloudDraw draw{frame, scene, view, *cloud.baked, targets, cloud.blur, cloud.bounds, halo, fractal};
-        if (passes == Passes::OneByOne)
+        const CloudDraw draw{frame,      scene,        view,       *cloud.baked, targets,
+                             cloud.blur, cloud.bounds, cloud.halo, fractal,      options};
+        if (options.passes == Passes::OneByOne)
             append_cloud(draw);
         else
             apart.push_back(passes_of(draw));
@@ -174,10 +236,10 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
 }
 
 void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& view, const Daylight& light,
-                           std::span<const Cloud> clouds, Passes passes) {
+                           std::span<const Cloud> clouds, const MegaParticleOptions& options) {
     std::vector<BakedCloud> baked;
     for (const Cloud& cloud : clouds) baked.push_back(bake(cloud, light));
-    append_mega_particles(frame, scene, view, baked, passes);
+    append_mega_particles(frame, scene, view, baked, options);
 }
 
 }  // namespace cloud

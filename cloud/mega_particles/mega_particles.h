@@ -3,11 +3,11 @@
 // written as passes of a frame. Read mega_particles.cpp: it is the technique on one screen.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "cloud/bake.h"
 #include "cloud/cloud.h"
+#include "cloud/mega_particles/options.h"
 #include "pipeline/frame/frame.h"
 
 namespace cloud {
@@ -20,17 +20,13 @@ struct SceneTargets {
     pipeline::FogState fog;
 };
 
-// Shared: clouds that are apart in the picture have passes in common (share_passes.h); the picture is the same. OneByOne:
-// each has its own, for those who look at a cloud's passes.
-enum class Passes : std::uint8_t { Shared, OneByOne };
-
 // Appends the passes (with their targets, textures, vertices) that draw `clouds` over the scene, farthest first.
-// back_buffer, depth and view have one size.
+// back_buffer, depth and view have one size. Throws std::invalid_argument as check() does.
 void append_mega_particles(pipeline::Frame& frame, const SceneTargets& scene, const View& view,
-                           std::span<const BakedCloud> clouds, Passes passes = Passes::Shared);
+                           std::span<const BakedCloud> clouds, const MegaParticleOptions& options = {});
 
 // The same, baking each cloud first; an animation of the camera bakes once instead.
 void append_mega_particles(pipeline::Frame& frame, const SceneTargets& scene, const View& view, const Daylight& light,
-                           std::span<const Cloud> clouds, Passes passes = Passes::Shared);
+                           std::span<const Cloud> clouds, const MegaParticleOptions& options = {});
 
 }  // namespace cloud

@@ -24,10 +24,6 @@ bool meet(const PixelRect& a, const PixelRect& b) {
     return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
 }
 
-PixelRect hull(const PixelRect& a, const PixelRect& b) {
-    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
 const Target& target_of(const Frame& frame, TargetId id) {
     return frame.targets[static_cast<std::size_t>(id.index)];
 }
@@ -111,6 +107,7 @@ std::vector<Step> steps_of(const Frame& frame, CloudPasses& cloud) {
         }
         if (pass.clear.color) steps.push_back({{cloud.name}, kClear, drawn_clear(pass)});
         pass.clear.color.reset();
+        if (pass.draws.empty()) continue;
         for (Draw& draw : pass.draws)
             if (auto* rectangle = std::get_if<DrawRectangle>(&draw))
                 *rectangle = cut_rectangle(frame, *rectangle, pass.state.scissor);

@@ -114,8 +114,8 @@ const cloud::Particle& Studio::greatest_particle() const {
 }
 
 pipeline::Frame Studio::frame(const FrameOptions& options) const {
-    FrameOptions apart  = options;
-    apart.shares_passes = false;  // what is measured are each cloud's passes
+    FrameOptions apart          = options;
+    apart.mega_particles.passes = cloud::Passes::OneByOne;  // what is measured are each cloud's passes
     return scene_frame(scene_, options_.size, options_.frame, apart);
 }
 

@@ -43,7 +43,7 @@ Frame frame_of(const std::vector<BakedCloud>& clouds, const View& view, Passes p
                              .depth       = {1},
                              .camera      = {0},
                              .fog         = {.mode = FogMode::Linear, .color = {0xff8090a0}, .end = 900.0f}};
-    append_mega_particles(frame, scene, view, clouds, passes);
+    append_mega_particles(frame, scene, view, clouds, {.passes = passes});
     if (!shows_depth) return frame;
     Pass steps        = frame.passes.front();
     steps.label       = "depth";

@@ -14,7 +14,7 @@ struct Drawn {
 };
 Drawn draw(const demo::Scene& scene, int index, bool shares_passes) {
     demo::FrameOptions options;
-    options.shares_passes               = shares_passes;
+    options.mega_particles.passes       = shares_passes ? cloud::Passes::Shared : cloud::Passes::OneByOne;
     const pipeline::Frame frame         = demo::scene_frame(scene, {400, 225}, index, options);
     const pipeline::Execution execution = pipeline::execute(frame);
     Drawn drawn{.picture = execution.output, .passes = frame.passes.size()};
@@ -44,7 +44,7 @@ TEST_CASE("the field is the same with shared passes, all along its flight, in fe
 
 TEST_CASE("a scene of one cloud is drawn in the passes it had", "[scene][share]") {
     demo::FrameOptions one_by_one;
-    one_by_one.shares_passes   = false;
-    const demo::ScenePtr scene = demo::load_scene("canyon");
+    one_by_one.mega_particles.passes = cloud::Passes::OneByOne;
+    const demo::ScenePtr scene       = demo::load_scene("canyon");
     CHECK(demo::scene_frame(*scene, {160, 90}, 0) == demo::scene_frame(*scene, {160, 90}, 0, one_by_one));
 }
