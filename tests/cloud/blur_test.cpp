@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cloud/mega_particles/blur.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -12,16 +13,19 @@ using namespace pipeline;
 
 namespace {
 
-// A frame whose picture is the particles' target of 256 x 64: white and opaque from column `edge` on, then blurred.
+// A frame whose picture is of 256 x 64: the particles' target, white and opaque from column `edge` on, then blurred. Of a
+// smaller target those pixels are white whose centres lie there, and it is enlarged.
 Frame blurred_edge(const BlurPlan& plan, int edge) {
     Frame frame;
     CloudTargets targets;
+    const int first   = plan.first_level;
     targets.width     = 256;
     targets.height    = 64;
     targets.particles = frame.output = {0};
-    frame.targets.push_back({.name = "particles", .width = 256, .height = 64});
-    targets.front.resize(1), targets.back.resize(1);
-    for (int level = 1; level <= plan.levels; ++level)
+    frame.targets.push_back({.name = "particles", .width = 256 >> first, .height = 64 >> first});
+    const auto unused = static_cast<std::size_t>(std::max(first, 1));
+    targets.front.resize(unused), targets.back.resize(unused);
+    for (int level = static_cast<int>(unused); level <= plan.levels; ++level)
         for (auto* chain : {&targets.front, &targets.back}) {
             chain->push_back({static_cast<std::int32_t>(frame.targets.size())});
             frame.targets.push_back({.name = "level", .width = 256 >> level, .height = 64 >> level});
@@ -29,7 +33,7 @@ Frame blurred_edge(const BlurPlan& plan, int edge) {
     Pass& pass = frame.passes.emplace_back();
     pass.color = targets.particles;
     DrawRectangle white;
-    white.x0   = static_cast<float>(edge);
+    white.x0   = static_cast<float>(edge) / static_cast<float>(1 << first);
     white.x1   = 256.0f;
     white.y1   = 64.0f;
     pass.draws = {white};
@@ -37,8 +41,31 @@ Frame blurred_edge(const BlurPlan& plan, int edge) {
     const View view = look(Vec3(0.0f), Vec3(1.0f, 0.0f, 0.0f), 256, 64);
     const BakedCloud baked;
     const PixelRect all{0, 0, 256, 64};
-    append_blur({frame, scene, view, baked, targets, plan, all, all});
+    const CloudDraw draw{frame, scene, view, baked, targets, plan, all, all};
+    append_blur(draw);
+    if (first == 0) return frame;
+    frame.output = {static_cast<std::int32_t>(frame.targets.size())};
+    frame.targets.push_back({.name = "enlarged", .width = 256, .height = 64});
+    Pass& enlargement = append_pass(draw, "enlarge", frame.output, all);
+    show_texture(enlargement.state, TextureFilter::Linear);
+    enlargement.draws = {blit(targets.particles, 256 >> first, 64 >> first, static_cast<float>(1 << first), 0.0f)};
     return frame;
+}
+
+// Of the steps from column to column of all places an edge can have within a texel of the coarsest level, about that
+// place.
+double measured_sigma_px(const BlurPlan& plan) {
+    double sum = 0.0, mean = 0.0, square = 0.0;
+    for (int edge = 128; edge < 128 + (1 << plan.levels); ++edge) {
+        const ColorImage image = execute(blurred_edge(plan, edge)).output;
+        for (int x = 1; x < 256; ++x) {
+            const std::uint32_t* column = image.pixels.data() + 32 * 256 + x;
+            const double step           = static_cast<double>(column[0] >> 24) - static_cast<double>(column[-1] >> 24);
+            sum += step, mean += step * (x - edge), square += step * (x - edge) * (x - edge);
+        }
+    }
+    mean /= sum;
+    return std::sqrt(square / sum - mean * mean);
 }
 
 }  // namespace
@@ -91,4 +118,46 @@ TEST_CASE("plans are chosen by width: about a fifth apart with tents, doubling w
     CHECK(plan_blur(Mode::Skirt, 0.0f) == BlurPlan{1, true, 1});
     CHECK(plan_blur(Mode::Skirt, 1e9f) == BlurPlan{4, true, 2});
     CHECK(plan_blur(Mode::Article, 4.6f) == BlurPlan{3, false, 0});
+}
+
+TEST_CASE("a blur of a smaller target, or one that jumps up, has the width its plan says") {
+    const BlurPlan plan = GENERATE(
+        BlurPlan{.levels = 1, .bottom_tents = 2, .first_level = 1}, BlurPlan{.levels = 2, .first_level = 2},
+        BlurPlan{.levels = 3, .inner_tents = true, .bottom_tents = 1, .first_level = 1},
+        BlurPlan{.levels = 3, .first_level = 2, .extra_tents = {0, 0, 2}},
+        BlurPlan{.levels = 3, .bottom_tents = 1, .rise = BlurRise::Jump},
+        BlurPlan{.levels = 2, .bottom_tents = 3, .rise = BlurRise::Jump, .extra_tents = {0, 2}},
+        BlurPlan{
+            .levels = 4, .bottom_tents = 1, .first_level = 1, .rise = BlurRise::Jump, .extra_tents = {0, 1, 1, 1}});
+    INFO("levels " << plan.first_level << " to " << plan.levels << ", bottom tents " << plan.bottom_tents);
+    CHECK(measured_sigma_px(plan) == Approx(sigma_px(plan)).epsilon(0.02));
+}
+
+// Every plan there is, under every choice; half of a tent at the finest level is the most that tents cannot make up for.
+TEST_CASE("other levels, another rise and a smaller target keep the variance of the blur") {
+    const auto variance = [](const BlurPlan& plan) { return sigma_px(plan) * sigma_px(plan); };
+    bool changes_levels = false;
+    for (float wanted = 1.0f; wanted < 24.0f; wanted *= 1.1f)
+        for (int scale : {1, 2, 4})
+            for (int more = -2; more <= 2; ++more)
+                for (BlurRise rise : {BlurRise::Steps, BlurRise::Jump}) {
+                    const BlurPlan plan = plan_blur(Mode::Skirt, wanted);
+                    const BlurPlan other =
+                        replan_blur(Mode::Skirt, plan, {.target_scale = scale, .blur_levels = more, .blur_rise = rise});
+                    INFO("sigma " << wanted << ", scale " << scale << ", levels " << more << ", rise "
+                                  << static_cast<int>(rise));
+                    const int first = scale == 4 ? 2 : scale / 2, finest = std::max(first, 1);
+                    CHECK(other.first_level == first);
+                    CHECK(other.rise == rise);
+                    CHECK(std::abs(variance(other) - variance(plan)) <=
+                          0.25 * static_cast<double>(1 << (2 * finest)) + 1e-3);
+                    CHECK(other.levels <= std::max(plan.levels + std::max(more, 0), finest));
+                    if (more < 0) CHECK(other.levels == std::max(plan.levels + more, finest));
+                    changes_levels |= other.levels > plan.levels && scale == 1;
+                    if (scale == 1 && more == 0 && rise == BlurRise::Steps) CHECK(other == plan);
+                }
+    CHECK(changes_levels);
+    const BlurPlan article = plan_blur(Mode::Article, 4.6f);
+    CHECK(replan_blur(Mode::Article, article, {.blur_levels = 1}) == article);
+    CHECK(replan_blur(Mode::Article, article, {.target_scale = 2}) == BlurPlan{.levels = 3, .first_level = 1});
 }
