@@ -18,6 +18,7 @@
 #include "demo/command_render.h"
 #include "demo/command_requires.h"
 #include "demo/command_scenes.h"
+#include "demo/command_tradeoff.h"
 #include "demo/command_vectors.h"
 #include "demo/standard_output.h"
 #include "pipeline/frame/frame_fields.h"
@@ -28,7 +29,7 @@ namespace {
 // The arguments as they are written; they are read only once the command line as a whole is known to be well formed.
 struct Arguments {
     std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile, technique, mode, format,
-        limit;
+        limit, runs;
 };
 
 template <class Read>
@@ -163,6 +164,29 @@ void add_metrics(CLI::App& app, Arguments& arguments) {
         if (is_given("--json")) options.format = MetricsFormat::Json;
         if (is_given("--claims")) options.format = MetricsFormat::Claims;
         report_metrics(options);
+    });
+}
+
+void add_tradeoff(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("tradeoff", "Measure what drawing a scene less exactly saves and errs");
+    command->add_option("SCENE", arguments.scene, "A built-in scene or a .toml file")->required();
+    command->add_option("-o,--output", arguments.output, "The directory for table, chart and page");
+    command->add_flag("--table")->description("Print what is on the front, as Markdown");
+    command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels; 640x360 without");
+    command->add_option("--frame", arguments.frame, "Which frame of the animation");
+    command->add_option("--runs", arguments.runs, "How often each setting is timed; 7 without");
+    command->add_option("--threads", arguments.threads, "How many threads draw; 1 without, 0 is all cores");
+    command->callback([command, &arguments] {
+        const auto is_given = [&](const char* name) { return command->count(name) > 0; };
+        TradeoffOptions options{.scene = arguments.scene};
+        options.directory    = optional_value(arguments.output, is_given("--output"), &as_it_is);
+        options.prints_table = is_given("--table");
+        SweepOptions& sweep  = options.sweep;
+        if (is_given("--size")) sweep.size = parse_size(arguments.size);
+        if (is_given("--frame")) sweep.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        if (is_given("--runs")) sweep.runs = parse_number("--runs", arguments.runs, 1, kMaxRuns);
+        if (is_given("--threads")) sweep.threads = parse_number("--threads", arguments.threads, 0, kMaxThreads);
+        report_tradeoff(options);
     });
 }
 
@@ -316,6 +340,7 @@ void run_command_line(int argc, const char* const* argv) {
     add_dump(app, arguments);
     add_metrics(app, arguments);
     add_requires(app, arguments);
+    add_tradeoff(app, arguments);
     add_plan(app, arguments);
     add_emit(app, arguments);
     add_vectors(app, arguments);

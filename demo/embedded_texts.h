@@ -13,9 +13,10 @@ struct EmbeddedText {
     std::string_view name, text;
 };
 
-// Defined in generated files: the scenes of demo/scenes and the frames of demo/frames.
+// Defined in generated files: the scenes of demo/scenes, the frames of demo/frames, the page of demo/tradeoff.
 std::span<const EmbeddedText> embedded_scenes();
 std::span<const EmbeddedText> embedded_frames();
+std::span<const EmbeddedText> embedded_tradeoff();
 
 std::optional<EmbeddedText> find_text(std::span<const EmbeddedText> texts, std::string_view name);
 

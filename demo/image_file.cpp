@@ -108,21 +108,25 @@ void check_image_output(const std::string& path) {
     if (!module().can_write(extension.c_str(), &reason)) fail(path, reason.text);
 }
 
-void write_image(const std::string& path, const pipeline::ColorImage& image, Channels channels) {
+std::string encode_image(const std::string& name, const pipeline::ColorImage& image, Channels channels) {
     if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide) {
-        fail(path, "cannot hold an image of " + std::to_string(image.width) + "x" + std::to_string(image.height));
+        fail(name, "cannot hold an image of " + std::to_string(image.width) + "x" + std::to_string(image.height));
     }
-    check_image_output(path);
     const Nimbus7TakeFile keep = [](void* owner, const unsigned char* bytes, std::size_t size) {
         static_cast<std::string*>(owner)->assign(reinterpret_cast<const char*>(bytes), size);
     };
     std::string file;
     Nimbus7Reason reason{};
-    if (!module().encode_pixels(extension_of(path).c_str(), image.pixels.data(), image.width, image.height,
+    if (!module().encode_pixels(extension_of(name).c_str(), image.pixels.data(), image.width, image.height,
                                 channels == Channels::Rgba ? 4 : 3, keep, &file, &reason)) {
-        fail(path, reason.text);
+        fail(name, reason.text);
     }
-    write_file(path, file);
+    return file;
+}
+
+void write_image(const std::string& path, const pipeline::ColorImage& image, Channels channels) {
+    check_image_output(path);
+    write_file(path, encode_image(path, image, channels));
 }
 
 }  // namespace demo

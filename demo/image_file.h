@@ -30,6 +30,9 @@ HeightMap read_height_map(const std::string& path);
 enum class Channels : std::uint8_t { Rgb, Rgba };
 void write_image(const std::string& path, const pipeline::ColorImage& image, Channels channels);
 
+// The bytes that write_image would write to a file of that name, which is not touched.
+std::string encode_image(const std::string& name, const pipeline::ColorImage& image, Channels channels);
+
 // Throws what write_image would, as far as that can be told before there is an image: bad directory, unknown extension.
 void check_image_output(const std::string& path);
 
