@@ -29,7 +29,7 @@ namespace {
 // The arguments as they are written; they are read only once the command line as a whole is known to be well formed.
 struct Arguments {
     std::string scene, output, size, frames, frame, passes, threads, simd, statistics, profile, technique, mode, format,
-        limit, runs;
+        limit, runs, precision;
 };
 
 template <class Read>
@@ -60,6 +60,12 @@ cloud::Mode parse_mode(const std::string& text) {
     if (text == "premultiplied") return cloud::Mode::Premultiplied;
     if (text == "black") return cloud::Mode::Black;
     throw std::runtime_error("--mode " + text + ": expected skirt, article, premultiplied or black");
+}
+
+Precision parse_precision(const std::string& text) {
+    if (text == "exact") return Precision::Exact;
+    if (text == "fast") return Precision::Fast;
+    throw std::runtime_error("--precision " + text + ": expected exact or fast");
 }
 
 const pipeline::Profile& parse_profile(const std::string& name) {
@@ -101,6 +107,7 @@ CLI::App* add_render(CLI::App& app, Arguments& arguments) {
     command->add_option("--technique", arguments.technique, "What draws the clouds: mega, sprites or slices");
     command->add_option("--mode", arguments.mode, "The clouds' rim: skirt, article, premultiplied or black");
     command->add_flag("--order-free")->description("Draw all else before the clouds");
+    command->add_option("--precision", arguments.precision, "exact, or fast: less exact clouds in less time");
     command->callback([command, &arguments] {
         const auto is_given = [&](const char* name) { return command->count(name) > 0; };
         RenderOptions options;
@@ -123,6 +130,7 @@ CLI::App* add_render(CLI::App& app, Arguments& arguments) {
         if (is_given("--technique")) options.changes.technique = parse_technique(arguments.technique);
         if (is_given("--mode")) options.changes.mode = parse_mode(arguments.mode);
         if (is_given("--order-free")) options.changes.order = cloud::Order::OrderFree;
+        if (is_given("--precision")) options.changes.precision = parse_precision(arguments.precision);
         render(options);
     });
     return command;
@@ -134,6 +142,7 @@ CLI::App* add_dump(CLI::App& app, Arguments& arguments) {
     command->add_option("-o,--output", arguments.output, "The file; standard output without");
     command->add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels");
     command->add_option("--frame", arguments.frame, "Which frame of the animation");
+    command->add_option("--precision", arguments.precision, "exact, or fast: less exact clouds in less time");
     command->callback([command, &arguments] {
         const auto is_given = [&](const char* name) { return command->count(name) > 0; };
         DumpOptions options;
@@ -141,6 +150,7 @@ CLI::App* add_dump(CLI::App& app, Arguments& arguments) {
         options.output = optional_value(arguments.output, is_given("--output"), &as_it_is);
         options.size   = optional_value(arguments.size, is_given("--size"), &parse_size);
         if (is_given("--frame")) options.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        if (is_given("--precision")) options.changes.precision = parse_precision(arguments.precision);
         dump(options);
     });
     return command;
@@ -208,9 +218,11 @@ void add_plan(CLI::App& app, Arguments& arguments) {
     command->add_option("--format", arguments.format, "text or json");
     command->add_flag("--fit")->description("Reduce picture and textures until they fit the chip");
     command->add_flag("--words")->description("Also the passes in the chip's own words, without vertices");
+    command->add_option("--precision", arguments.precision, "exact, or fast: less exact clouds in less time");
     command->callback([command, &arguments] {
         const auto is_given = [&](const char* name) { return command->count(name) > 0; };
         PlanOptions options;
+        if (is_given("--precision")) options.changes.precision = parse_precision(arguments.precision);
         const bool is_table = arguments.profile == "all";
         options.reduce      = is_given("--fit");
         options.scene       = arguments.scene;
@@ -270,6 +282,7 @@ CLI::App* add_emit(CLI::App& app, Arguments& arguments) {
     command->add_option("--frame", arguments.frame, "Which frame of the animation");
     command->add_flag("--fit")->description("Reduce picture and textures until they fit the chip");
     command->add_flag("--text")->description("ps2: registers and their meaning to read, not a dump to replay");
+    command->add_option("--precision", arguments.precision, "exact, or fast: less exact clouds in less time");
     command->callback([command, &arguments] {
         const auto is_given = [&](const char* name) { return command->count(name) > 0; };
         EmitOptions options;
@@ -280,6 +293,7 @@ CLI::App* add_emit(CLI::App& app, Arguments& arguments) {
         options.reduce  = is_given("--fit");
         options.as_text = is_given("--text");
         if (is_given("--frame")) options.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        if (is_given("--precision")) options.changes.precision = parse_precision(arguments.precision);
         emit(options);
     });
     return command;

@@ -10,7 +10,7 @@ namespace demo {
 
 void dump(const DumpOptions& options) {
     const FrameSource source(options.scene);
-    const std::string text = pipeline::to_text(source.frame(options.size, options.frame));
+    const std::string text = pipeline::to_text(source.frame(options.size, options.frame, options.changes));
     if (options.output) {
         write_file(*options.output, text);
     } else {

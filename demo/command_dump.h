@@ -13,6 +13,7 @@ struct DumpOptions {
     std::string scene;
     std::optional<Size> size;  // else the scene's
     int frame = 0;
+    FrameOptions changes;               // of how the scene draws its clouds
     std::optional<std::string> output;  // else standard output
 };
 

@@ -77,6 +77,7 @@ pipeline::Frame FrameSource::frame(std::optional<Size> size, int index, const Fr
             if (is_given) throw std::runtime_error(std::string(option) + ": " + argument_ + " is a dumped frame");
         };
         refuse(options.technique != Technique::MegaParticles, "--technique");
+        refuse(options.precision != Precision::Exact, "--precision");
         refuse(options.mode.has_value(), "--mode");
         refuse(options.order.has_value(), "--order-free");
         if (size) throw std::runtime_error("--size: " + argument_ + " is a dumped frame and has its own size");

@@ -43,9 +43,13 @@ int frame_count(const Scene& scene);
 // How clouds are drawn: as the scene says, or by one of the two techniques that the article compares itself with.
 enum class Technique : std::uint8_t { MegaParticles, Sprites, Slices };
 
+// Exact: as good as the technique is at the picture's size. Fast: with what precision.cpp gives up for time.
+enum class Precision : std::uint8_t { Exact, Fast };
+
 // What a picture of the scene is changed in, for comparisons and measurements.
 struct FrameOptions {
     Technique technique = Technique::MegaParticles;
+    Precision precision = Precision::Exact;
     std::optional<cloud::Mode> mode;           // of all clouds
     std::optional<cloud::Order> order;         // of all clouds; OrderFree draws them after all else
     std::optional<pipeline::Vec3> flat_scene;  // all but the clouds in one colour; depth as it was

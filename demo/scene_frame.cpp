@@ -13,6 +13,7 @@
 #include "cloud/merge.h"
 #include "demo/camera_matrices.h"
 #include "demo/cloud_motion.h"
+#include "demo/precision.h"
 #include "demo/scene.h"
 #include "demo/scene_build.h"
 #include "demo/scene_data.h"
@@ -319,7 +320,8 @@ class SceneFrame {
 
 }  // namespace
 
-pipeline::Frame scene_frame(const Scene& scene, Size size, int index, const FrameOptions& options) {
+pipeline::Frame scene_frame(const Scene& scene, Size size, int index, const FrameOptions& wanted) {
+    const FrameOptions options = with_precision(wanted);
     if (scene.description.weather.empty()) return SceneFrame(scene, size, index, options).build();
     // New light on everything.
     const Scene relit = build_scene(in_weather(scene.description, index / scene.description.fps));

@@ -37,8 +37,29 @@ constexpr KnobSetting rule(std::string_view name) {
     return {.name = name, .change_frame = &use_rule<kMember, kRule>};
 }
 
+template <auto kMember, auto kValue>
+void use_option(FrameOptions& options) {
+    options.mega_particles.*kMember = kValue;
+}
+template <auto kMember, auto kValue>
+constexpr KnobSetting option(std::string_view name) {
+    return {.name = name, .change_options = &use_option<kMember, kValue>};
+}
+
 std::vector<Knob> make_knobs() {
+    using Technique = cloud::MegaParticleOptions;
     return {
+        {"target scale",
+         {option<&Technique::target_scale, 2>("scale 1/2"), option<&Technique::target_scale, 4>("scale 1/4")}},
+        {"blur levels",
+         {option<&Technique::blur_levels, -1>("levels -1"), option<&Technique::blur_levels, 1>("levels +1")}},
+        {"blur rise", {option<&Technique::blur_rise, cloud::BlurRise::Jump>("rise JUMP")}},
+        {"sphere levels",
+         {option<&Technique::sphere_levels, -1>("spheres -1"), option<&Technique::sphere_levels, -2>("spheres -2"),
+          option<&Technique::sphere_levels, 1>("spheres +1")}},
+        {"fractal boxes",
+         {option<&Technique::fractal_boxes, 1>("one box"), option<&Technique::fractal_boxes, 2>("two boxes")}},
+        {"skirt", {option<&Technique::skirt, false>("no skirt")}},
         {"color bits", {{.name = "R5G6B5", .change_frame = &use_16_bit_colors}}},
         {"depth bits", {{.name = "D16", .change_frame = &use_16_bit_depth}}},
         {"mip filter", {{.name = "mips POINT", .change_frame = &use_nearest_mips}}},

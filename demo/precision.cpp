@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include "demo/precision.h"
+
+#include <utility>
+
+namespace demo {
+
+FrameOptions with_precision(FrameOptions options) {
+    if (std::exchange(options.precision, Precision::Exact) == Precision::Exact) return options;
+    options.mega_particles.sphere_levels = -1;
+    return options;
+}
+
+}  // namespace demo
