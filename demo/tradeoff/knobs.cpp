@@ -1,41 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "demo/tradeoff/knobs.h"
 
-#include "pipeline/legalize/alpha_use.h"
-
 namespace demo {
 namespace {
-
-using namespace pipeline;
-
-// Targets with alpha that something reads, as a cloud's, stay: 16 bits would leave it one.
-void use_16_bit_colors(Frame& frame) {
-    for (std::size_t i = 0; i < frame.targets.size(); ++i) {
-        Target& target = frame.targets[i];
-        if (!is_depth(target.format) && !is_alpha_read(frame, {static_cast<std::int32_t>(i)}))
-            target.format = TargetFormat::R5G6B5;
-    }
-}
-
-void use_16_bit_depth(Frame& frame) {
-    for (Target& target : frame.targets)
-        if (is_depth(target.format)) target.format = TargetFormat::D16;
-}
-
-void use_nearest_mips(Frame& frame) {
-    for (Pass& pass : frame.passes)
-        for (TextureStage& stage : pass.state.stages)
-            if (stage.mip_filter == MipFilter::Linear) stage.mip_filter = MipFilter::Point;
-}
-
-template <auto kMember, auto kRule>
-void use_rule(Frame& frame) {
-    frame.arithmetic.*kMember = kRule;
-}
-template <auto kMember, auto kRule>
-constexpr KnobSetting rule(std::string_view name) {
-    return {.name = name, .change_frame = &use_rule<kMember, kRule>};
-}
 
 template <auto kMember, auto kValue>
 void use_option(FrameOptions& options) {
@@ -43,7 +10,7 @@ void use_option(FrameOptions& options) {
 }
 template <auto kMember, auto kValue>
 constexpr KnobSetting option(std::string_view name) {
-    return {.name = name, .change_options = &use_option<kMember, kValue>};
+    return {.name = name, .change = &use_option<kMember, kValue>};
 }
 
 std::vector<Knob> make_knobs() {
@@ -60,21 +27,6 @@ std::vector<Knob> make_knobs() {
         {"fractal boxes",
          {option<&Technique::fractal_boxes, 1>("one box"), option<&Technique::fractal_boxes, 2>("two boxes")}},
         {"skirt", {option<&Technique::skirt, false>("no skirt")}},
-        {"color bits", {{.name = "R5G6B5", .change_frame = &use_16_bit_colors}}},
-        {"depth bits", {{.name = "D16", .change_frame = &use_16_bit_depth}}},
-        {"mip filter", {{.name = "mips POINT", .change_frame = &use_nearest_mips}}},
-        {"bilinear weights",
-         {rule<&Arithmetic::filter, FilterRule::GsFloor4>("filter GS_FLOOR4"),
-          rule<&Arithmetic::filter, FilterRule::GsNearest4>("filter GS_NEAREST4"),
-          rule<&Arithmetic::filter, FilterRule::FlipperFloor7>("filter FLIPPER_FLOOR7"),
-          rule<&Arithmetic::filter, FilterRule::Nv2aHalfUp8>("filter NV2A_HALFUP8")}},
-        {"interpolated colors", {rule<&Arithmetic::gouraud, GouraudRule::Floor>("gouraud FLOOR")}},
-        {"combiners", {rule<&Arithmetic::combine, CombineRule::Tev>("combine TEV")}},
-        {"fog",
-         {rule<&Arithmetic::fog, FogRule::GsFloor256>("fog GS_FLOOR256"),
-          rule<&Arithmetic::fog, FogRule::GsTwoFloors>("fog GS_TWO_FLOORS"),
-          rule<&Arithmetic::fog, FogRule::FlipperFloor256>("fog FLIPPER_FLOOR256")}},
-        {"blends", {rule<&Arithmetic::blend, BlendRule::FlipperTrunc256>("blend FLIPPER_TRUNC256")}},
     };
 }
 
@@ -98,19 +50,11 @@ std::string name_of(const Choice& choice, std::span<const Knob> knobs) {
     return name.empty() ? "exact" : name;
 }
 
-FrameOptions options_of(const Choice& choice, std::span<const Knob> knobs, FrameOptions options) {
-    for (std::size_t i = 0; i < knobs.size(); ++i) {
-        if (choice[i] == 0) continue;
-        if (const auto change = knobs[i].settings[choice[i] - 1].change_options) change(options);
-    }
+FrameOptions options_of(const Choice& choice, std::span<const Knob> knobs) {
+    FrameOptions options;
+    for (std::size_t i = 0; i < knobs.size(); ++i)
+        if (choice[i] > 0) knobs[i].settings[choice[i] - 1].change(options);
     return options;
-}
-
-void change_frame(pipeline::Frame& frame, const Choice& choice, std::span<const Knob> knobs) {
-    for (std::size_t i = 0; i < knobs.size(); ++i) {
-        if (choice[i] == 0) continue;
-        if (const auto change = knobs[i].settings[choice[i] - 1].change_frame) change(frame);
-    }
 }
 
 }  // namespace demo

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a scene's picture can be drawn with for less time than exactly: knobs, each with settings that change how the
-// frame is made, or the frame that is made. All that they change stands in the frame in the end.
+// frame is made. All that they change stands in the frame.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,12 @@
 #include <vector>
 
 #include "demo/scene.h"
-#include "pipeline/frame/frame.h"
 
 namespace demo {
 
-// Either function may be null.
 struct KnobSetting {
     std::string_view name;
-    void (*change_options)(FrameOptions&)  = nullptr;
-    void (*change_frame)(pipeline::Frame&) = nullptr;
+    void (*change)(FrameOptions&);
 };
 
 // The exact setting is not among them.
@@ -35,7 +32,6 @@ Choice exact_choice(std::span<const Knob> knobs);
 // "scale 1/2 + spheres -1"; "exact".
 std::string name_of(const Choice& choice, std::span<const Knob> knobs);
 
-FrameOptions options_of(const Choice& choice, std::span<const Knob> knobs, FrameOptions options = {});
-void change_frame(pipeline::Frame& frame, const Choice& choice, std::span<const Knob> knobs);
+FrameOptions options_of(const Choice& choice, std::span<const Knob> knobs);
 
 }  // namespace demo

@@ -43,26 +43,26 @@ class Timer {
   public:
     explicit Timer(const SweepOptions& options) : options_(options) {}
 
-    // frames: the exact one first. pictures: one for each.
+    // frames: the exact one first, whose ratios tell how well they are known. pictures: one for each.
     std::vector<Times> time(const std::vector<const pipeline::Frame*>& frames,
                             std::vector<pipeline::ColorImage>& pictures) {
         ProgressBar progress(static_cast<int>(frames.size()) * (options_.runs + 1));
         std::vector<Times> times(frames.size());
         pictures.resize(frames.size());
-        for (int run = 0; run <= options_.runs; ++run) {
-            double exact = 0.0;
+        for (int run = 0; run <= options_.runs; ++run)
             for (std::size_t i = 0; i < frames.size(); ++i) {
-                const double now = draw(*frames[i]);
-                if (i == 0) exact = now;
-                if (run == 0) {
-                    pictures[i] = execution_.output;
-                } else {
+                // Right beside the exact frame, before it and after it by turns.
+                const bool exact_first = run % 2 == 0;
+                double exact           = exact_first ? draw(*frames[0]) : 0.0;
+                const double now       = draw(*frames[i]);
+                if (run == 0) pictures[i] = execution_.output;
+                if (!exact_first) exact = draw(*frames[0]);
+                if (run > 0) {
                     times[i].milliseconds.push_back(now);
                     times[i].ratios.push_back(now / exact);
                 }
                 progress.advance();
             }
-        }
         progress.hide();
         return times;
     }
@@ -110,23 +110,12 @@ class Sweeper {
     }
 
   private:
-    pipeline::Frame frame_of(const Choice& choice) const {
-        const bool has_options = std::any_of(choice.begin(), choice.end(), [&, knob = std::size_t{0}](auto s) mutable {
-            const std::size_t i = knob++;
-            return s > 0 && knobs_[i].settings[s - 1].change_options != nullptr;
-        });
-        pipeline::Frame frame =
-            has_options ? scene_frame(scene_, result_.options.size, result_.options.frame, options_of(choice, knobs_))
-                        : exact_;
-        change_frame(frame, choice, knobs_);
-        return frame;
-    }
-
     void measure(const std::vector<Choice>& choices) {
         std::vector<Choice> kept;
         std::vector<pipeline::Frame> frames;
         for (const Choice& choice : choices) {
-            pipeline::Frame frame = frame_of(choice);
+            pipeline::Frame frame =
+                scene_frame(scene_, result_.options.size, result_.options.frame, options_of(choice, knobs_));
             if (frame == exact_) {
                 result_.without_effect.push_back(name_of(choice, knobs_));
                 continue;
@@ -136,17 +125,17 @@ class Sweeper {
         }
         std::vector<const pipeline::Frame*> timed{&exact_};
         for (const pipeline::Frame& frame : frames) timed.push_back(&frame);
-        timed.push_back(&exact_);
         std::vector<pipeline::ColorImage> pictures;
         const std::vector<Times> times = timer_.time(timed, pictures);
 
-        const std::vector<double>& again = times.back().ratios;
+        const std::vector<double>& again = times.front().ratios;
         // The standard error of a median of normal values is 1.2533 sigma / sqrt(n), and sigma is 0.7413 quartile distances.
         const double distance            = quantile(again, 0.75) - quantile(again, 0.25);
         result_.noise = std::max(result_.noise, 2.0 * 1.2533 * 0.7413 * distance / std::sqrt(again.size()));
         if (result_.settings.empty()) {
             exact_picture_ = to_real(pictures.front());
             add(exact_choice(knobs_), times.front(), std::move(pictures.front()));
+            result_.settings.front().ratio = 1.0;
         }
         for (std::size_t i = 0; i < kept.size(); ++i) add(kept[i], times[i + 1], std::move(pictures[i + 1]));
         mark_fronts(result_);

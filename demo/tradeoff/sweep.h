@@ -27,9 +27,9 @@ struct SweepOptions {
 // Draws what a frame stands for, without rounding.
 using DrawTruth = std::function<RealPicture(const pipeline::Frame&)>;
 
-// Time is that of execute() alone; with one thread the processor's for it, which other programs do not lengthen by theirs.
+// Time is that of execute() alone, of a frame that was drawn just before as well; with one thread the processor's for it, which other programs do not lengthen by theirs.
 // milliseconds: the median. ratio: the median of the times over those of the exact frame
-// in the same run, which a machine that is busy for a while slows alike; ratio_low, ratio_high: their quartiles.
+// beside it, which a machine that is busy for a while slows alike; ratio_low, ratio_high: their quartiles.
 // on_truth_front, on_exact_front: is no other both faster and nearer to the truth, or to the exact picture? Only what is
 // faster than exact by more than Sweep::noise counts.
 struct MeasuredSetting {
@@ -43,8 +43,7 @@ struct MeasuredSetting {
     bool on_a_front() const { return on_truth_front || on_exact_front; }
 };
 
-// settings: the exact one first. noise: of a ratio, two standard errors of the median, from the exact frame measured a
-// second time. without_effect: settings that leave the scene's frame as it is.
+// settings: the exact one first. noise: of a ratio, two standard errors of the median, from the exact frame over itself. without_effect: settings that leave the scene's frame as it is.
 struct Sweep {
     SweepOptions options;
     std::vector<MeasuredSetting> settings;

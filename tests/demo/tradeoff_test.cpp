@@ -30,7 +30,7 @@ RealPicture grey(int width, int height, double value) {
 
 demo::Knob knob_of(std::string_view name, const std::vector<std::string_view>& settings) {
     demo::Knob knob{name, {}};
-    for (const std::string_view setting : settings) knob.settings.push_back({.name = setting});
+    for (const std::string_view setting : settings) knob.settings.push_back({setting, [](demo::FrameOptions&) {}});
     return knob;
 }
 
@@ -152,22 +152,16 @@ TEST_CASE("of many settings that pay, those on a front get one more", "[tradeoff
 }
 
 TEST_CASE("a choice of settings is named, and does what each of them does", "[tradeoff]") {
-    demo::Knob clouds{"clouds",
-                      {{.name = "none", .change_options = [](demo::FrameOptions& o) { o.has_clouds = false; }}}};
-    demo::Knob width{
-        "width",
-        {{.name = "one"}, {.name = "wide", .change_frame = [](pipeline::Frame& f) { f.targets.at(0).width = 7; }}}};
-    const std::vector<demo::Knob> knobs{clouds, width};
+    const auto no_clouds = [](demo::FrameOptions& options) { options.has_clouds = false; };
+    const auto shift     = [](demo::FrameOptions& options) { options.shift_px.x = 7.0f; };
+    const std::vector<demo::Knob> knobs{{"clouds", {{"none", no_clouds}}},
+                                        {"shift", {{"all", no_clouds}, {"x", shift}}}};
     CHECK(demo::name_of({0, 0}, knobs) == "exact");
-    CHECK(demo::name_of({1, 2}, knobs) == "none + wide");
+    CHECK(demo::name_of({1, 2}, knobs) == "none + x");
     CHECK(demo::options_of({0, 2}, knobs).has_clouds);
-    CHECK_FALSE(demo::options_of({1, 0}, knobs).has_clouds);
-    pipeline::Frame frame;
-    frame.targets.resize(1);
-    demo::change_frame(frame, {1, 1}, knobs);
-    CHECK(frame.targets[0].width == 0);
-    demo::change_frame(frame, {0, 2}, knobs);
-    CHECK(frame.targets[0].width == 7);
+    CHECK(demo::options_of({0, 2}, knobs).shift_px.x == 7.0f);
+    CHECK_FALSE(demo::options_of({1, 2}, knobs).has_clouds);
+    CHECK(demo::options_of({1, 0}, knobs).shift_px.x == 0.0f);
 }
 
 TEST_CASE("a sweep is written as CSV and as Markdown", "[tradeoff]") {
