@@ -165,11 +165,13 @@ void add_metrics(CLI::App& app, Arguments& arguments) {
     CLI::Option* json   = command->add_flag("--json")->description("Print JSON in place of a table");
     CLI::Option* claims = command->add_flag("--claims")->description("Compare all techniques, as Markdown");
     claims->excludes(json)->excludes(command->get_option("--technique"));
+    command->add_option("--precision", arguments.precision, "exact, or fast: less exact clouds in less time");
     command->callback([command, &arguments] {
         const auto is_given = [&](const char* name) { return command->count(name) > 0; };
         MetricsOptions options{.scene = arguments.scene};
         if (is_given("--size")) options.size = parse_size(arguments.size);
         if (is_given("--frame")) options.frame = parse_number("--frame", arguments.frame, 0, kMaxFrameNumber);
+        if (is_given("--precision")) options.precision = parse_precision(arguments.precision);
         if (is_given("--technique")) options.technique = parse_technique(arguments.technique);
         if (is_given("--json")) options.format = MetricsFormat::Json;
         if (is_given("--claims")) options.format = MetricsFormat::Claims;

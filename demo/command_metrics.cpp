@@ -20,7 +20,8 @@ void report_metrics(const MetricsOptions& options) {
     if (options.size.width < kLeastSize || options.size.height < kLeastSize)
         throw std::runtime_error("--size: metrics need at least " + std::to_string(kLeastSize) + " pixels each way");
     const ScenePtr scene = load_scene(options.scene);
-    const StudioOptions studio{.size = options.size, .frame = options.frame, .technique = options.technique};
+    const StudioOptions studio{
+        .size = options.size, .frame = options.frame, .technique = options.technique, .precision = options.precision};
     if (options.format == MetricsFormat::Claims) return print(claims_table(*scene, studio));
     const MetricsReport report = scene_metrics(*scene, studio);
     if (options.format == MetricsFormat::Text) return print(to_table(report));

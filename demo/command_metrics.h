@@ -17,6 +17,7 @@ struct MetricsOptions {
     Size size            = {480, 270};
     int frame            = 0;
     Technique technique  = Technique::MegaParticles;
+    Precision precision  = Precision::Exact;
     MetricsFormat format = MetricsFormat::Text;
 };
 

@@ -7,7 +7,7 @@ namespace demo {
 
 FrameOptions with_precision(FrameOptions options) {
     if (std::exchange(options.precision, Precision::Exact) == Precision::Exact) return options;
-    options.mega_particles.sphere_levels = -1;
+    options.mega_particles.skirt = false;
     return options;
 }
 

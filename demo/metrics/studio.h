@@ -21,6 +21,7 @@ struct StudioOptions {
     Size size           = {480, 270};
     int frame           = 0;
     Technique technique = Technique::MegaParticles;
+    Precision precision = Precision::Exact;
 };
 
 // shape: alpha of the clouds' spheres, hidden by all of the scene; shape_alone: not hidden. scene_m, shape_m: how far
@@ -58,7 +59,7 @@ class Studio {
     const cloud::Particle& greatest_particle() const;  // by its radius; only if there are clouds
 
     // Frames with the technique in question and the changes asked for.
-    FrameOptions shot() const { return {.technique = options_.technique}; }
+    FrameOptions shot() const { return {.technique = options_.technique, .precision = options_.precision}; }
     pipeline::Frame frame(const FrameOptions& options) const;
     pipeline::Frame frame() const { return frame(shot()); }
 

@@ -13,19 +13,14 @@ constexpr KnobSetting option(std::string_view name) {
     return {.name = name, .change = &use_option<kMember, kValue>};
 }
 
+// Those that are on the front of one scene at least.
 std::vector<Knob> make_knobs() {
     using Technique = cloud::MegaParticleOptions;
     return {
         {"target scale",
          {option<&Technique::target_scale, 2>("scale 1/2"), option<&Technique::target_scale, 4>("scale 1/4")}},
-        {"blur levels",
-         {option<&Technique::blur_levels, -1>("levels -1"), option<&Technique::blur_levels, 1>("levels +1")}},
-        {"blur rise", {option<&Technique::blur_rise, cloud::BlurRise::Jump>("rise JUMP")}},
         {"sphere levels",
-         {option<&Technique::sphere_levels, -1>("spheres -1"), option<&Technique::sphere_levels, -2>("spheres -2"),
-          option<&Technique::sphere_levels, 1>("spheres +1")}},
-        {"fractal boxes",
-         {option<&Technique::fractal_boxes, 1>("one box"), option<&Technique::fractal_boxes, 2>("two boxes")}},
+         {option<&Technique::sphere_levels, -1>("spheres -1"), option<&Technique::sphere_levels, -2>("spheres -2")}},
         {"skirt", {option<&Technique::skirt, false>("no skirt")}},
     };
 }

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <set>
 
+#include "demo/precision.h"
 #include "demo/progress_bar.h"
 #include "demo/tradeoff/pareto.h"
 
@@ -143,8 +144,10 @@ class Sweeper {
 
     void add(const Choice& choice, const Times& times, pipeline::ColorImage picture) {
         const RealPicture real = to_real(picture);
+        const bool is_fast =
+            options_of(choice, knobs_).mega_particles == with_precision({.precision = Precision::Fast}).mega_particles;
         result_.settings.push_back({.choice       = choice,
-                                    .name         = name_of(choice, knobs_),
+                                    .name         = name_of(choice, knobs_) + (is_fast ? " (fast)" : ""),
                                     .milliseconds = quantile(times.milliseconds, 0.5),
                                     .ratio        = quantile(times.ratios, 0.5),
                                     .ratio_low    = quantile(times.ratios, 0.25),

@@ -30,6 +30,7 @@ using DrawTruth = std::function<RealPicture(const pipeline::Frame&)>;
 // Time is that of execute() alone, of a frame that was drawn just before as well; with one thread the processor's for it, which other programs do not lengthen by theirs.
 // milliseconds: the median. ratio: the median of the times over those of the exact frame
 // beside it, which a machine that is busy for a while slows alike; ratio_low, ratio_high: their quartiles.
+// name: "(fast)" follows what --precision fast means.
 // on_truth_front, on_exact_front: is no other both faster and nearer to the truth, or to the exact picture? Only what is
 // faster than exact by more than Sweep::noise counts.
 struct MeasuredSetting {

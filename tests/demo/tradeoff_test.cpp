@@ -3,11 +3,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <regex>
 
 #include "demo/tradeoff/pareto.h"
 #include "demo/tradeoff/picture_error.h"
 #include "demo/tradeoff/report.h"
 #include "demo/tradeoff/sweep.h"
+#include "pipeline/frame/frame_text.h"
 
 namespace {
 
@@ -162,6 +164,51 @@ TEST_CASE("a choice of settings is named, and does what each of them does", "[tr
     CHECK(demo::options_of({0, 2}, knobs).shift_px.x == 7.0f);
     CHECK_FALSE(demo::options_of({1, 2}, knobs).has_clouds);
     CHECK(demo::options_of({1, 0}, knobs).shift_px.x == 0.0f);
+}
+
+TEST_CASE("each knob changes its own option, and in a frame what that is about", "[tradeoff]") {
+    using Options = cloud::MegaParticleOptions;
+    struct Expected {
+        std::string name;
+        Options options;
+        std::string fields;  // that may differ
+    };
+    const std::string geometry = R"(vertices|indices|passes\[\d+\]\.draws)";
+    const std::string skirt    = R"(|passes\[5\])";  // whose draws are all gone
+    const std::vector<Expected> expected{
+        {"scale 1/2", {.target_scale = 2}, "targets|passes|vertices|indices|cameras"},
+        {"scale 1/4", {.target_scale = 4}, "targets|passes|vertices|indices|cameras"},
+        {"spheres -1", {.sphere_levels = -1}, geometry},
+        {"spheres -2", {.sphere_levels = -2}, geometry},
+        {"no skirt", {.skirt = false}, geometry + skirt},
+    };
+    const demo::ScenePtr scene = demo::load_scene("canyon");
+    const auto frame_with      = [&](const demo::FrameOptions& options) {
+        return demo::scene_frame(*scene, {320, 180}, 0, options);
+    };
+    const pipeline::Frame exact             = frame_with({});
+    std::size_t found                       = 0;
+    const std::span<const demo::Knob> knobs = demo::knobs();
+    for (std::size_t knob = 0; knob < knobs.size(); ++knob)
+        for (std::size_t setting = 1; setting <= knobs[knob].settings.size(); ++setting) {
+            Choice choice = demo::exact_choice(knobs);
+            choice[knob]  = setting;
+            REQUIRE(found < expected.size());
+            const Expected& wanted = expected[found++];
+            INFO(wanted.name);
+            CHECK(demo::name_of(choice, knobs) == wanted.name);
+            const demo::FrameOptions options = demo::options_of(choice, knobs);
+            CHECK(options.mega_particles == wanted.options);
+            const std::vector<std::string> lines = pipeline::diff(exact, frame_with(options));
+            CHECK_FALSE(lines.empty());
+            const std::regex allowed("(" + wanted.fields + ")[^a-z_].*");
+            for (const std::string& line : lines) {
+                INFO(line);
+                CHECK(std::regex_match(line, allowed));
+            }
+        }
+    CHECK(found == expected.size());
+    CHECK(frame_with({.precision = demo::Precision::Fast}) == frame_with({.mega_particles = {.skirt = false}}));
 }
 
 TEST_CASE("a sweep is written as CSV and as Markdown", "[tradeoff]") {
