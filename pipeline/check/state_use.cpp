@@ -43,14 +43,16 @@ class FieldLister {
     template <class T>
     void add(const std::string& path, const T& value) {
         if constexpr (kIsChoice<T>) {
-            fields.push_back({path, values_of<T>()});
+            fields.push_back({path, values_of<T>(), static_cast<std::size_t>(value)});
         } else if constexpr (FieldStruct<T>) {
             visit_fields(value, [&](std::string_view name, const auto& field) {
                 add(joined(kIsOnTop<T> ? std::string() : path, name), field);
             });
         } else if constexpr (kIsVariant<T>) {
             add_alternatives(path, value);
-        } else if constexpr (kIsOptional<T> || kIsList<T> || kIsArray<T>) {
+        } else if constexpr (kIsArray<T>) {
+            add(path, value[0]);
+        } else if constexpr (kIsOptional<T> || kIsList<T>) {
             add(path, typename T::value_type{});
         }
     }

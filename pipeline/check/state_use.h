@@ -16,6 +16,7 @@ namespace pipeline {
 struct StateField {
     std::string path;
     std::vector<std::string_view> values;
+    std::size_t default_value = 0;
 };
 // All there are of a frame.
 const std::vector<StateField>& state_fields();

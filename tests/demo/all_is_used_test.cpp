@@ -42,7 +42,7 @@ class Uses {
     }
 
     // An enumerator that several fields can have is used if one of them has it; so is a value of yes-or-no fields of one
-    // name, such as the arguments' `complement`.
+    // name, such as the arguments' `complement`. Defaults are what no frame need say.
     std::set<std::string> unused_states() const {
         std::set<std::string> all, used;
         for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -54,7 +54,7 @@ class Uses {
             for (std::size_t value = 0; value < states_[i].size(); ++value) {
                 const std::string name = kind + ": " + std::string(field.values[value]);
                 all.insert(name);
-                if (states_[i][value] > 0) used.insert(name);
+                if (states_[i][value] > 0 || value == field.default_value) used.insert(name);
             }
         }
         std::set<std::string> unused;
