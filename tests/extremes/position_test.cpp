@@ -44,7 +44,7 @@ TEST_CASE("extremes: a triangle is drawn whose edge passes the eye", "[extremes]
 
 TEST_CASE("extremes: no float of a frame may be without a value", "[extremes]") {
     const NotFinite found = not_finite();
-    CHECK(found.values > 500);
+    CHECK(found.values > 300);
     CHECK(found.passed == 0);
 }
 
@@ -52,6 +52,6 @@ TEST_CASE("extremes: depth from near to 10^7 times as far", "[extremes]") {
     const FarDepth far = far_depth();
     CHECK(far.vertices > 10000);
     CHECK(far.error < kFarDepthBound);
-    // A quotient of rounded numbers is not monotonic, but less than two units off its order.
+    // A quotient of rounded numbers is not monotonic: rarely.
     CHECK(far.out_of_order < far.vertices / 1000);
 }
