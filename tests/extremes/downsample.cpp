@@ -75,9 +75,9 @@ Frame downsample_frame(FilterRule filter, int width, int height, const std::vect
 
 std::uint64_t changed_constants(FilterRule filter, int width, int height) {
     std::uint64_t changed = 0;
-    for (const std::uint8_t byte : {0, 1, 127, 128, 254, 255}) {
+    for (const std::uint32_t byte : {0u, 1u, 127u, 128u, 254u, 255u}) {
         const std::vector<std::uint8_t> texels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4,
-                                               byte);
+                                               static_cast<std::uint8_t>(byte));
         const ColorImage image = execute(downsample_frame(filter, width, height, texels)).output;
         changed += image.pixels != std::vector<std::uint32_t>{byte * 0x01010101u};
     }
