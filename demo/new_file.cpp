@@ -94,7 +94,7 @@ struct OpenFile {
 
 class NewFile {
   public:
-    NewFile(const std::string& path, Unfinished& unfinished) : path_(path), unfinished_(unfinished) {
+    NewFile(const std::string& path, Unfinished& slot) : path_(path), unfinished_(slot) {
         check_output(path);
         target_          = resolve(path);
         // Unique among processes that share the directory but not their numbering, such as containers.

@@ -110,8 +110,11 @@ void add_scenes(Uses& uses, std::set<std::string>& idle) {
     for (const demo::SceneInfo& info : demo::built_in_scenes()) {
         const demo::ScenePtr scene = demo::load_scene(info.name);
         const int frames           = demo::frame_count(*scene);
-        for (const int index : {0, frames / 3, 2 * frames / 3})
-            uses.add_rewritten(demo::scene_frame(*scene, kSize, index));
+        for (const int index : {0, frames / 3, 2 * frames / 3}) {
+            const Frame frame = demo::scene_frame(*scene, kSize, index);
+            add_idle(std::string(info.name), frame, idle);
+            uses.add_rewritten(frame);
+        }
         for (const demo::FrameOptions& way : ways_to_draw())
             uses.add(demo::scene_frame(*scene, kSize, frames / 2, way));
     }

@@ -2,7 +2,6 @@
 #include "tests/support/child_process.h"
 
 #include <fcntl.h>
-#include <linux/ptrace.h>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
