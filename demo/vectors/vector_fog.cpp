@@ -56,10 +56,10 @@ void add_fog(const Profile& profile, const Prober& prober, FogRule rule, const s
                       .expression = value_of(formula(rule)),
                       .formula    = formula(rule),
                       .axes       = {{"fog_color_k", kFogColors}, {"factor_f", AxisRange{}}, {"color_c", AxisRange{}}},
-                      .draw       = [rule, format = profile.formats.with_bytes, arithmetic = prober.arithmetic()] {
-                          Arithmetic other = arithmetic;
+                      .draw       = [rule, format = profile.formats.with_bytes, &prober] {
+                          Arithmetic other = prober.arithmetic();
                           other.fog        = rule;
-                          Prober with_rule(other);
+                          Prober with_rule = prober.with(other);
                           Bytes bytes;
                           for (const int k : kFogColors) {
                               const Bytes part = with_rule.draw(fog_frame(with_rule, format, k), "r");

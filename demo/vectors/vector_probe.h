@@ -69,6 +69,8 @@ class Prober {
     float offset() const { return static_cast<float>(arithmetic_.pixel_center - 8) / 16.0f; }
 
     const pipeline::Arithmetic& arithmetic() const { return arithmetic_; }
+    // Another one, shown to the same observer.
+    Prober with(const pipeline::Arithmetic& arithmetic) const { return Prober(arithmetic, observe_); }
 
   private:
     pipeline::Arithmetic arithmetic_;

@@ -160,10 +160,10 @@ void add_filter(const Profile& profile, Prober& prober, FilterRule rule, const s
          .expression = "see formula; the fractions are in 1/256 texel",
          .formula    = formula(rule),
          .axes       = {{"quad", AxisRange{0, kQuads - 1}}, {"fraction_v", AxisRange{}}, {"fraction_u", AxisRange{}}},
-         .draw       = [rule, format = profile.formats.with_bytes, arithmetic = prober.arithmetic()] {
-             Arithmetic other = arithmetic;
+         .draw       = [rule, format = profile.formats.with_bytes, &prober] {
+             Arithmetic other = prober.arithmetic();
              other.filter     = rule;
-             Prober with_rule(other);
+             Prober with_rule = prober.with(other);
              return draw_filter(with_rule, format);
          }});
 }

@@ -122,8 +122,10 @@ void add_scenes(Uses& uses, std::set<std::string>& idle) {
 
 void add_golden_vectors(Uses& uses) {
     for (const Profile& profile : profiles()) {
-        for (const demo::VectorFrame& frame : demo::vector_frames(profile, demo::embedded_frames()))
+        for (const demo::VectorFrame& frame : demo::vector_frames(profile, demo::embedded_frames())) {
             if (frame.why_not.empty()) uses.add(frame.frame);
+            if (profile.arithmetic == Arithmetic{}) uses.add_rewritten(frame.frame);
+        }
         demo::Prober prober(profile.arithmetic, [&](const Frame& frame) { uses.add(frame); });
         for (const demo::VectorTable& table : demo::vector_tables(profile, prober)) table.draw();
     }

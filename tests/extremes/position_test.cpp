@@ -21,27 +21,6 @@ TEST_CASE("extremes: a clipped corner can be divided by its w", "[extremes]") {
     CHECK(eye.bad == 0);
 }
 
-// It was dropped whole: 1/w had become infinite.
-TEST_CASE("extremes: a triangle is drawn whose edge passes the eye", "[extremes]") {
-    using namespace pipeline;
-    Frame frame      = test_support::small_frame(64, 64);
-    // (x, y, z) becomes (x, y, 0, -z).
-    Mat4& projection = frame.cameras[0].projection;
-    projection[2][2] = 0.0f;
-    projection[2][3] = -1.0f;
-    projection[3][3] = 0.0f;
-    frame.vertices.resize(3);
-    const float size                = GENERATE(1.0f, 0x1p30f);
-    frame.vertices[0].position      = {0.0f, 0.0f, -size};
-    frame.vertices[1].position      = {0.0f, 0.0f, 3.0f * size};
-    frame.vertices[2].position      = {0.75f * size, 0.0f, -size};
-    frame.vertices[2].position.y    = 0.5f * size;
-    frame.indices                   = {0, 1, 2};
-    frame.passes[0].draws           = {DrawTriangles{.index_count = 3, .textures = {}}};
-    const test_support::Drawn drawn = test_support::draw_on_both(frame);
-    CHECK(drawn.execution.counts[0].triangles_drawn > 0);
-}
-
 TEST_CASE("extremes: no float of a frame may be without a value", "[extremes]") {
     const NotFinite found = not_finite();
     CHECK(found.values > 300);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <random>
 #include <utility>
@@ -53,9 +54,10 @@ class WildNumbers {
 
     // So that the edge passes the origin, where w is 0, as near as floats allow.
     Vec3 opposite(const Vec3& p) {
-        const float scale = std::ldexp(-1.0f, static_cast<int>(bits_() % 61) - 30);
-        Vec3 q(p.x * scale, p.y * scale, p.z * scale);
-        float& nudged = (&q.x)[bits_() % 3];
+        const float scale     = std::ldexp(-1.0f, static_cast<int>(bits_() % 61) - 30);
+        constexpr float kMost = 0x1p101f;
+        Vec3 q                = glm::clamp(p * scale, -kMost, kMost);
+        float& nudged         = (&q.x)[bits_() % 3];
         if (chance()) nudged = std::nextafter(nudged, chance() ? 1e38f : -1e38f);
         return q;
     }

@@ -126,7 +126,7 @@ Ended run_program(const std::string& program, const std::vector<std::string>& ar
     int state = 0;
     if (waitpid(child, &state, 0) != child) throw std::runtime_error("waitpid failed");
     const int status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-    return {status, read_file(out), read_file(error)};
+    return {status, options.has_full_output ? std::string() : read_file(out), read_file(error)};
 }
 
 }  // namespace tests
