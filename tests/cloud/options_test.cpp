@@ -193,6 +193,21 @@ TEST_CASE("at a smaller scale the cloud stands where it stood, and the wall hide
     CHECK(std::abs(moved_y) < 0.25);
 }
 
+TEST_CASE("the article's scene copy is reduced as the target is", "[cloud]") {
+    Cloud cloud       = cumulus();
+    cloud.mode        = Mode::Article;
+    const int scale   = GENERATE(1, 2, 4);
+    const Frame frame = frame_of(cloud, {.target_scale = scale});
+    const Pass& pass  = pass_named(frame, "copy the back buffer");
+    const auto& copy  = std::get<DrawRectangle>(pass.draws.at(0));
+    CHECK(copy.x0 == 0.0f);
+    CHECK(copy.y0 == 0.0f);
+    CHECK(copy.uv[0].u1 * 333.0f / copy.x1 == Approx(scale));
+    CHECK(copy.uv[0].v1 * 211.0f / copy.y1 == Approx(scale));
+    CHECK(copy.x1 * static_cast<float>(scale) >= 333.0f);
+    CHECK(pass.state.stages[0].filter == (scale == 1 ? TextureFilter::Point : TextureFilter::Linear));
+}
+
 TEST_CASE("a second box is the first, turned half way round; with one the second is left out", "[cloud]") {
     Cloud one = cumulus();
     one.box_turn =
