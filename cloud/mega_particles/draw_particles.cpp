@@ -118,7 +118,9 @@ Pass& append_sphere_pass(const CloudDraw& draw, const std::string& what, PixelRe
 void append_particles(const CloudDraw& draw) {
     const Mode mode    = draw.baked.cloud.mode;
     const bool article = mode == Mode::Article, on_black = mode == Mode::Premultiplied || mode == Mode::Black;
-    Pass& pass       = append_sphere_pass(draw, "mega-particles, alpha 1", on_black ? draw.halo : draw.bounds);
+    // A smaller target goes on beyond the picture, and the blur reads what is there.
+    const bool goes_on = draw.blur.first_level > 0;
+    Pass& pass = append_sphere_pass(draw, "mega-particles, alpha 1", on_black || goes_on ? draw.halo : draw.bounds);
     pass.state.depth = {.func = CompareFunc::LessEqual, .write = true};
     if (on_black) pass.clear.color = Argb{0x00000000};
     if (inside_a_particle(draw, false)) pass.state.cull = CullMode::None;

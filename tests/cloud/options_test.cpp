@@ -208,6 +208,18 @@ TEST_CASE("the article's scene copy is reduced as the target is", "[cloud]") {
     CHECK(pass.state.stages[0].filter == (scale == 1 ? TextureFilter::Point : TextureFilter::Linear));
 }
 
+// 208 rows are whole texels of the coarsest level, but the pyramid has 224.
+TEST_CASE("at a smaller scale a cloud that fills the picture does so up to its edges", "[cloud]") {
+    Cloud cloud              = cumulus();
+    cloud.detail             = Detail::None;
+    cloud.blur_m             = 3.0f;
+    const View view          = look(Vec3(0.0f, 62.0f, 40.0f), Vec3(0.0f, 62.0f, 0.0f), 320, 208);
+    const int scale          = GENERATE(2, 4);
+    const ColorImage full    = execute(frame_of(cloud, {}, view)).output;
+    const ColorImage reduced = execute(frame_of(cloud, {.target_scale = scale}, view)).output;
+    for (int x = 150; x < 320; ++x) CHECK(std::abs(green(full, x, 207) - green(reduced, x, 207)) <= 12);
+}
+
 TEST_CASE("a second box is the first, turned half way round; with one the second is left out", "[cloud]") {
     Cloud one = cumulus();
     one.box_turn =
