@@ -208,7 +208,8 @@ TEST_CASE("the article's scene copy is reduced as the target is", "[cloud]") {
     CHECK(pass.state.stages[0].filter == (scale == 1 ? TextureFilter::Point : TextureFilter::Linear));
 }
 
-// 208 rows are whole texels of the coarsest level, but the pyramid has 224.
+// 208 rows are whole texels of the coarsest level, but the pyramid has 224. Below the picture a full target repeats its
+// last row and a smaller one goes on, which is 5 steps here; were it empty there, it would be 75.
 TEST_CASE("at a smaller scale a cloud that fills the picture does so up to its edges", "[cloud]") {
     Cloud cloud              = cumulus();
     cloud.detail             = Detail::None;
@@ -217,7 +218,9 @@ TEST_CASE("at a smaller scale a cloud that fills the picture does so up to its e
     const int scale          = GENERATE(2, 4);
     const ColorImage full    = execute(frame_of(cloud, {}, view)).output;
     const ColorImage reduced = execute(frame_of(cloud, {.target_scale = scale}, view)).output;
-    for (int x = 150; x < 320; ++x) CHECK(std::abs(green(full, x, 207) - green(reduced, x, 207)) <= 12);
+    int sum                  = 0;  // what is chance goes either way
+    for (int x = 0; x < 320; ++x) sum += green(full, x, 207) - green(reduced, x, 207);
+    CHECK(std::abs(sum) < 10 * 320);
 }
 
 TEST_CASE("a second box is the first, turned half way round; with one the second is left out", "[cloud]") {
