@@ -21,10 +21,14 @@ constexpr int kChartScale = 2;
 
 const std::vector<std::string> kFiles{"tradeoff.csv", "tradeoff.svg", "tradeoff.png", "index.html"};
 
+std::string scene_name(const TradeoffOptions& options) {
+    return std::filesystem::path(options.scene).stem().string();
+}
+
 std::string heading(const TradeoffOptions& options) {
     const SweepOptions& sweep = options.sweep;
-    return std::filesystem::path(options.scene).stem().string() + ", frame " + std::to_string(sweep.frame) + ", " +
-           std::to_string(sweep.size.width) + "x" + std::to_string(sweep.size.height);
+    return scene_name(options) + ", frame " + std::to_string(sweep.frame) + ", " + std::to_string(sweep.size.width) +
+           "x" + std::to_string(sweep.size.height);
 }
 
 }  // namespace
@@ -39,7 +43,7 @@ void report_tradeoff(const TradeoffOptions& options) {
     if (options.directory) check_new_directory(*options.directory, kFiles);
     const ScenePtr scene = load_scene(options.scene);
     const Sweep result   = sweep(*scene, wanted, knobs(), &truth_picture);
-    if (options.prints_table) print(to_markdown(result));
+    if (options.prints_table) print(to_markdown(result, scene_name(options)));
     if (!options.directory) return;
     const Drawing chart = to_chart(result, heading(options));
     write_directory(*options.directory,

@@ -51,16 +51,16 @@ std::vector<const MeasuredSetting*> front_of(const Sweep& sweep) {
     return front;
 }
 
-std::string to_markdown(const Sweep& sweep) {
+std::string to_markdown(const Sweep& sweep, const std::string& scene) {
     std::string table =
-        "| setting | time | RMS to truth | PSNR | SSIM | RMS to exact | greatest | SSIM |\n"
-        "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+        "| scene | setting | time | RMS to truth | PSNR | SSIM | RMS to exact | greatest | SSIM |\n"
+        "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
     for (const MeasuredSetting* setting : front_of(sweep)) {
         const PictureError &truth = setting->to_truth, &exact = setting->to_exact;
-        table += "| " + setting->name + " | " + figure_text(setting->ratio, 2) + " | " + figure_text(truth.rms, 2) +
-                 " | " + figure_text(truth.psnr_db, 2) + " dB | " + figure_text(truth.ssim, 4) + " | " +
-                 figure_text(exact.rms, 2) + " | " + figure_text(exact.max, 0) + " | " + figure_text(exact.ssim, 4) +
-                 " |\n";
+        table += "| " + scene + " | " + setting->name + " | " + figure_text(setting->ratio, 2) + " | " +
+                 figure_text(truth.rms, 2) + " | " + figure_text(truth.psnr_db, 2) + " dB | " +
+                 figure_text(truth.ssim, 4) + " | " + figure_text(exact.rms, 2) + " | " + figure_text(exact.max, 0) +
+                 " | " + figure_text(exact.ssim, 4) + " |\n";
     }
     return table;
 }

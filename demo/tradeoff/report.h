@@ -16,8 +16,8 @@ std::string to_csv(const Sweep& sweep);
 // What is on a front, the slowest first, with times as ratios to exact.
 std::vector<const MeasuredSetting*> front_of(const Sweep& sweep);
 
-// These as a Markdown table.
-std::string to_markdown(const Sweep& sweep);
+// These as a Markdown table, with the scene before each, so that the tables of several can be put together.
+std::string to_markdown(const Sweep& sweep, const std::string& scene);
 
 // Two panels: RMS error to the truth, and to the exact picture, over time as a ratio to exact. Settings on the panel's front
 // are joined, and numbered in the order of front_of(); the numbers' names stand below.

@@ -130,7 +130,8 @@ TEST_CASE("a trade-off's front is printed as Markdown", "[tradeoff]") {
     const Ended printed =
         tradeoff(directory, {"puff.toml", "--table", "--size", "64x64", "--runs", "1", "--threads", "2"});
     REQUIRE(printed.status == 0);
-    CHECK_THAT(printed.out, Catch::StartsWith("| setting | time |") && Catch::Contains("\n| exact | 1.00 |"));
+    CHECK_THAT(printed.out,
+               Catch::StartsWith("| scene | setting | time |") && Catch::Contains("\n| puff | exact | 1.00 |"));
     CHECK(directory.files() == Words{"puff.toml"});
 }
 

@@ -229,9 +229,9 @@ TEST_CASE("a sweep is written as CSV and as Markdown", "[tradeoff]") {
           "exact,0.000,1.0000,1.0000,1.0000,0.00,3.0000,0.00,1.000000,0.00,0.0000,inf,1.000000,1,1\n"
           "\"half, \"\"soft\"\"\",12.346,0.5000,0.4900,0.5100,40.00,3.2500,37.90,0.980000,20.00,1.5000,44.60,0.991235,"
           "1,1\n");
-    CHECK(demo::to_markdown(sweep) ==
-          "| setting | time | RMS to truth | PSNR | SSIM | RMS to exact | greatest | SSIM |\n"
-          "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n"
-          "| exact | 1.00 | 3.00 | 0.00 dB | 1.0000 | 0.00 | 0 | 1.0000 |\n"
-          "| half, \"soft\" | 0.50 | 3.25 | 37.90 dB | 0.9800 | 1.50 | 20 | 0.9912 |\n");
+    CHECK(demo::to_markdown(sweep, "puff") ==
+          "| scene | setting | time | RMS to truth | PSNR | SSIM | RMS to exact | greatest | SSIM |\n"
+          "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n"
+          "| puff | exact | 1.00 | 3.00 | 0.00 dB | 1.0000 | 0.00 | 0 | 1.0000 |\n"
+          "| puff | half, \"soft\" | 0.50 | 3.25 | 37.90 dB | 0.9800 | 1.50 | 20 | 0.9912 |\n");
 }
