@@ -16,8 +16,10 @@ namespace demo {
 namespace {
 
 // Smaller ones have no place for a window of SSIM, nor for a cloud's rim.
-constexpr int kLeastSize  = 64;
-constexpr int kChartScale = 2;
+constexpr int kLeastSize           = 64;
+// 1920x1080 fits; the truth holds half a kilobyte for each pixel of each target.
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 21;
+constexpr int kChartScale          = 2;
 
 const std::vector<std::string> kFiles{"tradeoff.csv", "tradeoff.svg", "tradeoff.png", "index.html"};
 
@@ -36,9 +38,10 @@ std::string heading(const TradeoffOptions& options) {
 void report_tradeoff(const TradeoffOptions& options) {
     const SweepOptions& wanted = options.sweep;
     if (!options.directory && !options.prints_table) throw std::runtime_error("tradeoff: needs -o DIR or --table");
-    if (wanted.size.width < kLeastSize || wanted.size.height < kLeastSize)
+    const auto pixels = static_cast<std::int64_t>(wanted.size.width) * wanted.size.height;
+    if (wanted.size.width < kLeastSize || wanted.size.height < kLeastSize || pixels > kMostPixels)
         throw std::runtime_error("--size: a trade-off needs at least " + std::to_string(kLeastSize) +
-                                 " pixels each way");
+                                 " pixels each way, and at most " + std::to_string(kMostPixels) + " in all");
     const std::future<void> loading = preload_image_module();
     if (options.directory) check_new_directory(*options.directory, kFiles);
     const ScenePtr scene = load_scene(options.scene);

@@ -142,10 +142,10 @@ TEST_CASE("a trade-off that cannot be is one line, and no directory", "[tradeoff
     const Words bad =
         GENERATE(Words{"puff.toml"}, Words{"-o", "out"}, Words{"nowhere.toml", "-o", "out"},
                  Words{"puff.toml", "-o", "out", "--size", "63x64"}, Words{"puff.toml", "-o", "out", "--size", "64"},
-                 Words{"puff.toml", "-o", "out", "--runs", "0"}, Words{"puff.toml", "-o", "out", "--runs", "many"},
-                 Words{"puff.toml", "-o", "out", "--threads", "-1"}, Words{"puff.toml", "-o", "out", "--frame", "x"},
-                 Words{"puff.toml", "-o", "file"}, Words{"puff.toml", "-o", "no/such/out"},
-                 Words{"puff.toml", "-o", "."}, Words{"puff.toml", "-o", ""});
+                 Words{"puff.toml", "-o", "out", "--size", "2048x1025"}, Words{"puff.toml", "-o", "out", "--runs", "0"},
+                 Words{"puff.toml", "-o", "out", "--runs", "many"}, Words{"puff.toml", "-o", "out", "--threads", "-1"},
+                 Words{"puff.toml", "-o", "out", "--frame", "x"}, Words{"puff.toml", "-o", "file"},
+                 Words{"puff.toml", "-o", "no/such/out"}, Words{"puff.toml", "-o", "."}, Words{"puff.toml", "-o", ""});
     const Ended ended = tradeoff(directory, bad);
     INFO(Catch::rangeToString(bad));
     CHECK(ended.status == 2);
