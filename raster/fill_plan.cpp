@@ -140,7 +140,12 @@ SamplePlan plan_sampler(const Sampler& sampler, bool alpha_quads) {
     plan.lod_max     = sampler.mip == MipFilter::None ? 0 : 256 * (plan.level_count - 1);
     for (int i = 0; i < plan.level_count; ++i) {
         const TextureLevel& level = (alpha_quads ? sampler.alpha_quads : sampler.levels)[i];
-        plan.levels[i]            = {level.texels, static_cast<std::int32_t>(level.stride), level.width, level.height};
+        plan.levels[i]            = {.texels      = level.texels,
+                                     .stride      = static_cast<std::int32_t>(level.stride),
+                                     .width       = level.width,
+                                     .height      = level.height,
+                                     .last_column = level.width - 1,
+                                     .last_row    = level.height - 1};
     }
     return plan;
 }

@@ -16,6 +16,7 @@ struct SamplePlan {
         const std::uint32_t* texels = nullptr;
         std::int32_t stride         = 0;  // texels
         std::int32_t width = 0, height = 0;
+        std::int32_t last_column = 0, last_row = 0;
     };
     std::array<Level, kMaxLevels> levels;
     int level_count = 0;

@@ -8,6 +8,9 @@
 #define NIMBUS7_RASTER_SAMPLING_INL_H_
 #endif
 
+#include <cstddef>
+#include <type_traits>
+
 #include "raster/fill_program.h"
 #include "raster/lanes-inl.h"
 #include "raster/sample_plan.h"
@@ -16,15 +19,16 @@ HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE VI address(Address mode, VI i, std::int32_t size) {
+// last: the level's size less 1.
+HWY_INLINE VI address(Address mode, VI i, std::int32_t last) {
     switch (mode) {
         case Address::Wrap:
-            return hn::And(i, seti(size - 1));
+            return hn::And(i, seti(last));
         case Address::Clamp:
-            return hn::Min(hn::Max(i, seti(0)), seti(size - 1));
+            return hn::Min(hn::Max(i, seti(0)), seti(last));
         case Address::Mirror: {
-            const VI m = hn::And(i, seti(2 * size - 1));
-            return hn::Min(m, hn::Sub(seti(2 * size - 1), m));
+            const VI m = hn::And(i, seti(2 * last + 1));
+            return hn::Min(m, hn::Sub(seti(2 * last + 1), m));
         }
     }
     return i;
@@ -48,22 +52,28 @@ HWY_INLINE VI mul_small(VI a, std::int32_t b) {
 
 // The texels at texels[index] and the ones after them.
 HWY_INLINE void gather_pairs(const std::uint32_t* texels, VI index, VU& first, VU& second) {
-    const DU d;
 #if HWY_TARGET <= HWY_AVX3
+    const DU d;
     const auto* const pairs = reinterpret_cast<const long long*>(texels);
     const VU low{_mm512_i32gather_epi64(_mm512_castsi512_si256(index.raw), pairs, 4)};
     const VU high{_mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.raw, 1), pairs, 4)};
     first  = hn::ConcatEven(d, high, low);
     second = hn::ConcatOdd(d, high, low);
 #elif HWY_TARGET == HWY_AVX2
-    const auto* const pairs = reinterpret_cast<const long long*>(texels);
-    const VU low{_mm256_i32gather_epi64(pairs, _mm256_castsi256_si128(index.raw), 4)};
-    const VU high{_mm256_i32gather_epi64(pairs, _mm256_extracti128_si256(index.raw, 1), 4)};
-    first                                               = hn::ConcatEven(d, high, low);
-    second                                              = hn::ConcatOdd(d, high, low);
+    // One by one they come sooner than from gathers.
+    alignas(32) std::int32_t at[8];
+    hn::Store(index, DI(), at);
+    const auto pair      = [&](int lane) NIMBUS7_LAMBDA { return _mm_loadu_si64(texels + at[lane]); };
+    const auto two_pairs = [&](int lane) NIMBUS7_LAMBDA {
+        return _mm_castsi128_ps(_mm_unpacklo_epi64(pair(lane), pair(lane + 1)));
+    };
+    const __m256 even = _mm256_set_m128(two_pairs(4), two_pairs(0)), odd = _mm256_set_m128(two_pairs(6), two_pairs(2));
+    first  = VU{_mm256_castps_si256(_mm256_shuffle_ps(even, odd, _MM_SHUFFLE(2, 0, 2, 0)))};
+    second = VU{_mm256_castps_si256(_mm256_shuffle_ps(even, odd, _MM_SHUFFLE(3, 1, 3, 1)))};
 #else
-    first  = hn::GatherIndex(d, texels, index);
-    second = hn::GatherIndex(d, texels + 1, index);
+    const DU d;
+    first           = hn::GatherIndex(d, texels, index);
+    second          = hn::GatherIndex(d, texels + 1, index);
 #endif
 }
 
@@ -72,7 +82,7 @@ HWY_INLINE void gather_pairs(const std::uint32_t* texels, VI index, VU& first, V
 HWY_INLINE Quad load_quad(const SamplePlan::Level& level, VI row0, VI row1, VI column0, VI column1) {
     if (HWY_LIKELY(level.width > 1)) {
         Quad quad;
-        const VI pair = hn::Min(column0, seti(level.width - 2));
+        const VI pair = hn::Min(column0, hn::Sub(seti(level.last_column), seti(1)));
         gather_pairs(level.texels, hn::Add(row0, pair), quad.t00, quad.t10);
         gather_pairs(level.texels, hn::Add(row1, pair), quad.t01, quad.t11);
         if (HWY_LIKELY(hn::AllTrue(DI(), hn::Eq(column1, hn::Add(column0, seti(1)))))) return quad;
@@ -83,12 +93,13 @@ HWY_INLINE Quad load_quad(const SamplePlan::Level& level, VI row0, VI row1, VI c
 }
 
 // From a level packed as in raster/alpha_quads.h: (i, j) is the first of the four.
-HWY_INLINE Quad load_alpha_quad(const SamplePlan::Level& level, VI i, VI j) {
-    const auto place = [](VI index, int size) NIMBUS7_LAMBDA {
-        return hn::Add(hn::Min(hn::Max(index, seti(-1)), seti(size - 1)), seti(1));
-    };
-    const VI row   = mul_small(place(j, level.height), level.stride);
-    const VU four  = hn::GatherIndex(DU(), level.texels, hn::Add(row, place(i, level.width)));
+HWY_INLINE VU load_alpha_quad(const SamplePlan::Level& level, VI i, VI j) {
+    const auto place = [](VI index, std::int32_t last)
+                           NIMBUS7_LAMBDA { return hn::Add(hn::Min(hn::Max(index, seti(-1)), seti(last)), seti(1)); };
+    const VI row = mul_small(place(j, level.last_row), level.stride);
+    return hn::GatherIndex(DU(), level.texels, hn::Add(row, place(i, level.last_column)));
+}
+HWY_INLINE Quad unpack_alpha_quad(VU four) {
     const VU alpha = set(0xff000000);
     return {hn::ShiftLeft<24>(four), hn::And(hn::ShiftLeft<16>(four), alpha), hn::And(hn::ShiftLeft<8>(four), alpha),
             hn::And(four, alpha)};
@@ -137,6 +148,19 @@ HWY_INLINE VU fraction_pair_over(VI coordinate) {
     return shift_right16<kBits>(fraction_pair(coordinate));
 }
 
+// Of pairs, as numbers with sign: the sum of the products of both halves.
+HWY_INLINE VI mul_add_halves(VU a, VU b) {
+#if HWY_TARGET <= HWY_AVX3
+    return VI{_mm512_madd_epi16(a.raw, b.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return VI{_mm256_madd_epi16(a.raw, b.raw)};
+#else
+    const auto low  = [](VU v) NIMBUS7_LAMBDA { return hn::ShiftRight<16>(hn::BitCast(DI(), hn::ShiftLeft<16>(v))); };
+    const auto high = [](VU v) NIMBUS7_LAMBDA { return hn::ShiftRight<16>(hn::BitCast(DI(), v)); };
+    return hn::Add(hn::Mul(low(a), low(b)), hn::Mul(high(a), high(b)));
+#endif
+}
+
 // The filters: weigh_quad() for the neighbours of a position, whose weights are the low 8 bits of u and v; mix_levels() for two mip
 // levels, by f of 256.
 struct MixHalfUp {
@@ -169,6 +193,16 @@ struct Single8 : MixHalfUp {
         const VU half        = set_pair(128);
         return {shift_right16<8>(add16(move_toward(top.lo, bottom.lo, f_times_256), half)),
                 shift_right16<8>(add16(move_toward(top.hi, bottom.hi, f_times_256), half))};
+    }
+    // The same of one channel, all four in a word, in 32 bits.
+    static HWY_INLINE Pixels weigh_alpha_quad(VU four, VI u, VI v) {
+        // 256 - f, f
+        const VU down   = add16(hn::Xor(fraction_pair(v), set(0x0000ffff)), set(257));
+        const VI left   = mul_add_halves(hn::And(four, set_pair(255)), down);
+        const VI right  = mul_add_halves(shift_right16<8>(four), down);
+        const VI across = hn::Mul(hn::Sub(right, left), hn::And(u, seti(255)));
+        const VI sum    = hn::Add(hn::Add(hn::ShiftLeft<8>(left), across), seti(1 << 15));
+        return {set(0), hn::And(hn::BitCast(DU(), sum), set(0x00ff0000))};
     }
 };
 struct Single4 : MixFloor4 {
@@ -231,18 +265,24 @@ HWY_INLINE Pixels sample_level(Texture program, const SamplePlan& plan, int inde
     u                              = hn::ShiftRightSame(u, index);
     v                              = hn::ShiftRightSame(v, index);
     if constexpr (!Filter::kLinear) {
-        const VI i = address(program->address_u, hn::ShiftRight<8>(u), level.width);
-        const VI j = address(program->address_v, hn::ShiftRight<8>(v), level.height);
+        const VI i = address(program->address_u, hn::ShiftRight<8>(u), level.last_column);
+        const VI j = address(program->address_v, hn::ShiftRight<8>(v), level.last_row);
         return unpack(hn::GatherIndex(DU(), level.texels, hn::Add(mul_small(j, level.stride), i)));
     } else {
         u          = hn::Sub(u, seti(128));
         v          = hn::Sub(v, seti(128));
         const VI i = hn::ShiftRight<8>(u), j = hn::ShiftRight<8>(v);
-        if (program->alpha_quads) return Filter::weigh_quad(load_alpha_quad(level, i, j), u, v);
-        const VI i0   = address(program->address_u, i, level.width),
-                 i1   = address(program->address_u, hn::Add(i, seti(1)), level.width);
-        const VI row0 = mul_small(address(program->address_v, j, level.height), level.stride);
-        const VI row1 = mul_small(address(program->address_v, hn::Add(j, seti(1)), level.height), level.stride);
+        if (program->alpha_quads) {
+            const VU four = load_alpha_quad(level, i, j);
+            if constexpr (std::is_same_v<Filter, Single8>)
+                return Filter::weigh_alpha_quad(four, u, v);
+            else
+                return Filter::weigh_quad(unpack_alpha_quad(four), u, v);
+        }
+        const VI i0   = address(program->address_u, i, level.last_column),
+                 i1   = address(program->address_u, hn::Add(i, seti(1)), level.last_column);
+        const VI row0 = mul_small(address(program->address_v, j, level.last_row), level.stride);
+        const VI row1 = mul_small(address(program->address_v, hn::Add(j, seti(1)), level.last_row), level.stride);
         return Filter::weigh_quad(load_quad(level, row0, row1, i0, i1), u, v);
     }
 }
@@ -282,19 +322,19 @@ HWY_INLINE Pixels sample_here(Texture program, const SamplePlan& plan, VI u, VI 
                                  : sample_level<Filter>(program, plan, 0, u, v);
     });
 }
-// All filters at once are too much code to repeat at each place.
+// All filters at once, or two levels, are too much code to repeat at each place.
 template <class Texture>
-HWY_NOINLINE Pixels sample_any(Texture program, const SamplePlan& plan, VI u, VI v, const std::int32_t* lod) {
+HWY_NOINLINE Pixels sample_elsewhere(Texture program, const SamplePlan& plan, VI u, VI v, const std::int32_t* lod) {
     return sample_here(program, plan, u, v, lod);
 }
 
 // A texture at (u, v), in 1/256 texel of level 0, and lod, in 1/256 level and in memory; that may be null without mips.
 template <class Texture>
 HWY_INLINE Pixels sample(Texture program, const SamplePlan& plan, VI u, VI v, const std::int32_t* lod) {
-    if constexpr (Texture::kIsKnown)
-        return sample_here(program, plan, u, v, lod);
-    else
-        return sample_any(program, plan, u, v, lod);
+    if constexpr (Texture::kIsKnown) {
+        if (!program->has_mips) return sample_here(program, plan, u, v, lod);
+    }
+    return sample_elsewhere(program, plan, u, v, lod);
 }
 
 }  // namespace HWY_NAMESPACE
