@@ -87,9 +87,10 @@ DrawnFrame draw(Frames& frames, const RenderOptions& options, int index, const s
         if (pictures) pictures->add(pass);
         pass_start = Clock::now();
     };
-    // Observed, passes are drawn one by one, which takes longer.
-    const bool is_observed = pictures || options.statistics != StatisticsFormat::None;
-    executor.execute(frame, execution, {.threads = options.threads},
+    // Observed, passes are drawn one by one, which takes longer; and so does counting.
+    const bool is_counted  = options.statistics != StatisticsFormat::None;
+    const bool is_observed = pictures || is_counted;
+    executor.execute(frame, execution, {.threads = options.threads, .counts_fragments = is_counted},
                      is_observed ? pipeline::PassObserver(observe) : pipeline::PassObserver());
     if (is_observed) {
         for (const PassStatistics& pass : drawn.passes) drawn.drawing_ms += pass.milliseconds;

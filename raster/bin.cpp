@@ -70,7 +70,7 @@ void Bin::sort() {
     for (const Entry& entry : entries_) ++next[entry.tile - first_tile_ + 1];
     for (std::size_t tile = 2; tile < begin_.size(); ++tile) begin_[tile] += begin_[tile - 1];
     sorted_.resize(entries_.size());
-    for (const Entry& entry : entries_) sorted_[next[entry.tile - first_tile_]++] = entry.command;
+    for (const Entry& entry : entries_) sorted_[next[entry.tile - first_tile_]++] = *entry.command;
 }
 
 }  // namespace raster

@@ -32,14 +32,14 @@ class Bin {
   public:
     void clear() { entries_.clear(); }
 
-    // Enters each tile that the command may touch. The command must stay where it is.
+    // Enters each tile that the command may touch. The command must stay where it is until the last is sorted.
     void add(const Command& command, const TileGrid& grid);
     void add(const Command& command, const Rect& pixels, const TileGrid& grid);
     std::size_t entry_count() const { return entries_.size(); }
 
     // After the last command; from then on `commands` answers.
     void sort();
-    std::span<const Command* const> commands(int tile) const {
+    std::span<const Command> commands(int tile) const {
         if (tile < first_tile_ || tile >= end_tile_) return {};
         const std::uint32_t* begin = begin_.data() + (tile - first_tile_);
         return {sorted_.data() + begin[0], sorted_.data() + begin[1]};
@@ -53,7 +53,7 @@ class Bin {
     std::vector<Entry> entries_;
     int first_tile_ = 0, end_tile_ = 0;
     std::vector<std::uint32_t> begin_;  // of each tile from first_tile_ on, in sorted_
-    std::vector<const Command*> sorted_;
+    std::vector<Command> sorted_;       // copies, so that a tile's lie one after the other
 };
 
 }  // namespace raster

@@ -8,6 +8,8 @@
 #define NIMBUS7_RASTER_COVER_INL_H_
 #endif
 
+#include <algorithm>
+
 #include "raster/lanes-inl.h"
 #include "raster/tile_edges.h"
 
@@ -33,7 +35,13 @@ class ColumnCover {
 
     // The column at (x, y), y the first of `rows`: a bit for each row that may have pixels in.
     HWY_INLINE unsigned enter(int x, int y, int rows) {
-        within_          = lanes_between(x, edges_.bounds.x0, edges_.bounds.x1);
+        first_lane_ = std::max(edges_.bounds.x0 - x, 0) & -lane_count();
+        end_lane_   = std::min(edges_.bounds.x1 - x, kBlockWidth);
+        for (int lane = first_lane_; lane < end_lane_; lane += lane_count()) {
+            const VI before = hn::Sub(lane_index(lane), seti(edges_.bounds.x0 - x));
+            const VI behind = hn::Sub(seti(edges_.bounds.x1 - 1 - x), lane_index(lane));
+            hn::Store(hn::Or(before, behind), DI(), beyond_ + lane);
+        }
         unsigned outside = 0, crossed = 0;
         for (int row = 0; row < rows; row += lane_count()) {
             VI both = seti(0), either = seti(0);
@@ -55,24 +63,26 @@ class ColumnCover {
         return ~outside & ((1u << rows) - 1);
     }
 
-    // The pixels of one row.
-    HWY_INLINE unsigned row(int index) const {
-        if ((crossed_ >> index & 1) == 0) return within_;
-        unsigned covered = 0;
-        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
+    // The pixels of a vector of lanes. Those from first_lane() up to end_lane() have all that is covered in any row.
+    HWY_INLINE MU lanes(int row, int lane) const {
+        // The sign bit of a sum of bits is set where that of any is.
+        VI any_outside = hn::Load(DI(), beyond_ + lane);
+        if (crossed_ >> row & 1) {
             const auto edge = [&](int i) NIMBUS7_LAMBDA {
-                return hn::Add(seti(start_[i][index]), hn::Load(DI(), gain_[i] + lane));
+                return hn::Add(seti(start_[i][row]), hn::Load(DI(), gain_[i] + lane));
             };
-            // The sign bit of the sum of bits is set if any edge is negative.
-            const VI any_outside = hn::Or(edge(0), hn::Or(edge(1), edge(2)));
-            covered |= bits_of(hn::RebindMask(DU(), hn::Gt(any_outside, seti(-1)))) << lane;
+            any_outside = hn::Or(hn::Or(any_outside, edge(0)), hn::Or(edge(1), edge(2)));
         }
-        return covered & within_;
+        return hn::RebindMask(DU(), hn::Gt(any_outside, seti(-1)));
     }
+    HWY_INLINE int first_lane() const { return first_lane_; }
+    HWY_INLINE int end_lane() const { return end_lane_; }
 
   private:
     const TileEdges& edges_;
-    unsigned within_ = 0, crossed_ = 0;
+    unsigned crossed_ = 0;
+    int first_lane_ = 0, end_lane_ = 0;
+    alignas(64) std::int32_t beyond_[kBlockWidth];  // negative where a lane is not within the bounds
     alignas(64) std::int32_t gain_[3][kBlockWidth];
     alignas(64) std::int32_t start_[3][kColumnRows];
 };

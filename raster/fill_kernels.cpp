@@ -12,12 +12,12 @@ namespace raster {
 namespace HWY_NAMESPACE {
 
 void fill_triangle_generally(const FillPlan& plan, const SetUpTriangle& triangle, const Rect& tile,
-                             const FillTarget& target, FillCounts& counts) {
-    fill_triangle(AnyProgram{&plan.program}, plan, triangle, tile, target, counts);
+                             const FillTarget& target, const TileWork& work) {
+    fill_triangle(AnyProgram{&plan.program}, plan, triangle, tile, target, work);
 }
 void fill_rectangle_generally(const FillPlan& plan, const SetUpRectangle& rectangle, const Rect& tile,
-                              const FillTarget& target, FillCounts& counts) {
-    fill_rectangle(AnyProgram{&plan.program}, plan, rectangle, tile, target, counts);
+                              const FillTarget& target, const TileWork& work) {
+    fill_rectangle(AnyProgram{&plan.program}, plan, rectangle, tile, target, work);
 }
 
 FillKernel get_general_kernel() {

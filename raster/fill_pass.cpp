@@ -28,6 +28,7 @@ struct Run {
 struct Part {
     std::size_t first_run = 0, end_run = 0;
     std::vector<SetUpTriangle> triangles;
+    std::vector<TexturePlanes> textures;  // of the triangles
     std::vector<SetUpRectangle> rectangles;
     std::vector<Command> commands;
     Bin bin;
@@ -135,7 +136,12 @@ void PassFiller::Memory::list_parts() {
         part.next_first                = 0;
         part.is_binned                 = false;
         // Commands point to these, so they must not move.
-        part.triangles.resize(std::max<std::size_t>(part.triangles.size(), kPartPrimitives));
+        if (part.triangles.empty()) {
+            part.triangles.resize(kPartPrimitives);
+            part.textures.resize(kMaxTextures * kPartPrimitives);
+            for (std::size_t i = 0; i < kPartPrimitives; ++i)
+                part.triangles[i].textures = part.textures.data() + kMaxTextures * i;
+        }
         part.rectangles.reserve(kPartPrimitives);
         part.commands.reserve(kPartPrimitives);
         first = end;
@@ -208,14 +214,17 @@ void PassFiller::Memory::fill_tile(std::span<const Part> wave, const Rect& tile,
         if (!commands.empty()) raster::fill_tile(commands, tile, target, thread.counts);
         commands.clear();
     };
+    bool has_begun = false;
     for (const Part& part : wave)
-        for (const Command* command : part.bin.commands(index)) {
-            if (command->plan) {
-                commands.push_back(command);
+        for (const Command& command : part.bin.commands(index)) {
+            if (!has_begun) prefetch_tile(target, tile);
+            has_begun = true;
+            if (command.plan) {
+                commands.push_back(&command);
                 continue;
             }
             fill();
-            clear(passes[command->pass], tile);
+            clear(passes[command.pass], tile);
         }
     fill();
 }
@@ -235,7 +244,7 @@ void PassFiller::fill(std::span<const PassFill> passes, std::span<KernelCounts> 
     set_tile_order(grid.count(), options.tile_order_seed, memory.order);
     memory.threads.resize(
         std::max(memory.threads.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())));
-    for (Memory::Thread& thread : memory.threads) thread.counts.assign(passes.size(), {});
+    for (Memory::Thread& thread : memory.threads) thread.counts.assign(options.counts ? passes.size() : 0, {});
 
     const std::span parts = std::span(memory.parts).first(memory.part_count);
     for (std::size_t first = 0; first < parts.size();) {
@@ -257,7 +266,7 @@ void PassFiller::fill(std::span<const PassFill> passes, std::span<KernelCounts> 
         first = stop;
     }
     for (const Memory::Thread& thread : memory.threads)
-        for (std::size_t i = 0; i < passes.size(); ++i) counts[i] += thread.counts[i];
+        for (std::size_t i = 0; i < thread.counts.size(); ++i) counts[i] += thread.counts[i];
 }
 
 FillCounts fill_pass(const PassFill& pass, const FillOptions& options) {

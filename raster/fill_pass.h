@@ -55,9 +55,11 @@ struct PassFill {
     std::vector<Draw> draws;
 };
 
-// tile_order_seed: not 0 shuffles the order in which tiles are taken, for tests.
+// tile_order_seed: not 0 shuffles the order in which tiles are taken, for tests. counts: whether anything is counted;
+// without, primitives that are hidden cost less.
 struct FillOptions {
     std::uint32_t tile_order_seed = 0;
+    bool counts                   = true;
 };
 
 // Keeps its memory from one fill to the next. Not for use by two threads at once.
@@ -68,7 +70,7 @@ class PassFiller {
 
     // Fills passes one after the other, as if each were filled by itself: a tile goes through all of them while it is
     // in the cache. They draw to one colour and one depth image between them, though not each to both, and none reads
-    // either as a texture. Adds to counts[i] what passes[i] did. Uses the threads of the arena it is called in
+    // either as a texture. Adds to counts[i] what passes[i] did, with FillOptions::counts. Uses the threads of the arena it is called in
     // (thread_arena.h).
     void fill(std::span<const PassFill> passes, std::span<KernelCounts> counts, const FillOptions& options = {});
 

@@ -12,6 +12,7 @@
 #include "raster/fill_state.h"
 #include "raster/image.h"
 #include "raster/sample_plan.h"
+#include "raster/settled_pixels.h"
 #include "raster/triangle_setup.h"
 
 namespace raster {
@@ -24,12 +25,18 @@ struct FillTarget {
 
 struct FillPlan;
 
-// Both fill what lies within the tile and add to `counts`.
+// What kernels know of a tile beyond its pixels.
+struct TileWork {
+    FillCounts* counts     = nullptr;  // to add to; null: nobody asks, so that what is hidden may be left out
+    SettledPixels* settled = nullptr;  // of a triangle whose program is_last_word(): these it leaves alone and adds to
+};
+
+// Both fill what lies within the tile.
 struct FillKernel {
     using Triangle        = void (*)(const FillPlan& plan, const SetUpTriangle& triangle, const Rect& tile,
-                              const FillTarget& target, FillCounts& counts);
+                              const FillTarget& target, const TileWork& work);
     using Rectangle       = void (*)(const FillPlan& plan, const SetUpRectangle& rectangle, const Rect& tile,
-                               const FillTarget& target, FillCounts& counts);
+                               const FillTarget& target, const TileWork& work);
     Triangle triangle     = nullptr;
     Rectangle rectangle   = nullptr;
     bool special_triangle = false, special_rectangle = false;  // compiled for this very program

@@ -77,6 +77,15 @@ struct FillProgram {
     }
     // Is what is written the source as it is?
     constexpr bool is_replace() const { return blend != BlendRule::Shift7 && source == kOne && dest == kZero; }
+    // Of fragments of such programs, the last one to pass gives a pixel all that it has, whatever came before.
+    constexpr bool is_last_word() const {
+        return writes == Writes::All && is_replace() && tests_first() && dest_alpha_test == DestAlphaTest::Off &&
+               !depth_write;
+    }
+    // Does a fragment change nothing where it is farther than what is there, or as far?
+    constexpr bool fails_behind() const {
+        return depth_bits != 0 && (depth_func == Compare::LessEqual || depth_func == Compare::Less);
+    }
 };
 
 // What the fill loop is compiled with: a program that is known then, or one that is not.

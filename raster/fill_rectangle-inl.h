@@ -289,10 +289,11 @@ HWY_INLINE Place first_place(Program program, const FillTarget& target, int bloc
 // Program: OneProgram or AnyProgram.
 template <class Program>
 HWY_INLINE void fill_rectangle(Program program, const FillPlan& plan, const SetUpRectangle& rectangle, const Rect& tile,
-                               const FillTarget& target, FillCounts& counts) {
+                               const FillTarget& target, const TileWork& work) {
     const Rect bounds = intersect(rectangle.bounds, tile);
     if (bounds.empty()) return;
     Counter counter;
+    counter.is_asked = work.counts != nullptr;
     counter.covered =
         static_cast<std::uint64_t>(bounds.x1 - bounds.x0) * static_cast<std::uint64_t>(bounds.y1 - bounds.y0);
     const VU depth      = set(program->depth_bits == 0 ? 0 : to_depth_format(rectangle.depth, program->depth_bits));
@@ -317,7 +318,7 @@ HWY_INLINE void fill_rectangle(Program program, const FillPlan& plan, const SetU
                 if (program->depth_bits != 0) place.depth += stride;
             }
         }
-    counter.add_to(counts, program, plan);
+    if (work.counts) counter.add_to(*work.counts, program, plan);
 }
 
 }  // namespace HWY_NAMESPACE

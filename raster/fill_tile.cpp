@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "raster/fill_tile.h"
 
+#include <algorithm>
+#include <cstddef>
+
+#include "raster/settled_pixels.h"
+
 namespace raster {
 namespace {
 
-// Asks for the tile's pixels before the first of them is needed: rows lie far apart, and no processor guesses them.
-void prefetch(const Image* image, const Rect& tile) {
+// What only asks for memory is always inline: gcc takes a function of nothing but prefetches for one without effect, and leaves
+// out its calls.
+[[gnu::always_inline]] inline void prefetch(const Image* image, const Rect& tile) {
     if (!image) return;
     constexpr int kLinePixels = 64 / sizeof(std::uint32_t);
     for (int y = tile.y0; y < tile.y1; ++y)
@@ -13,31 +19,71 @@ void prefetch(const Image* image, const Rect& tile) {
 }
 
 // Triangles were set up long ago and maybe by another thread.
-constexpr std::size_t kAhead = 3;
-void prefetch(const Command& command) {
+constexpr std::size_t kAhead = 4;
+template <class Part>
+[[gnu::always_inline]] inline void prefetch(const Part& part) {
+    const char* const bytes = reinterpret_cast<const char*>(&part);
+    for (std::size_t line = 0; line < sizeof(Part); line += 64) __builtin_prefetch(bytes + line);
+    __builtin_prefetch(bytes + sizeof(Part) - 1);
+}
+[[gnu::always_inline]] inline void prefetch(const Command& command) {
     if (!command.triangle) return;
-    const char* const bytes = reinterpret_cast<const char*>(command.triangle);
-    for (std::size_t line = 0; line < sizeof(SetUpTriangle); line += 64) __builtin_prefetch(bytes + line);
+    const SetUpTriangle& triangle = *command.triangle;
+    const SetupNeeds& needs       = command.plan->needs;
+    prefetch(triangle.bounds);
+    prefetch(triangle.edges);
+    if (needs.diffuse) prefetch(triangle.diffuse);
+    if (needs.fog) prefetch(triangle.specular[3]);
+    if (needs.specular) prefetch(triangle.specular);
+    if (needs.texture[0] || needs.texture[1])
+        for (int i = 0; i < kMaxTextures; ++i) prefetch(triangle.textures[i]);
+}
+
+// Of the commands from `first` on, how many only show where they are the last.
+std::size_t count_last_words(std::span<const Command* const> commands, std::size_t first) {
+    const auto is_last_word = [](const Command* command) {
+        return command->triangle && command->plan->program.is_last_word();
+    };
+    const auto begin = commands.begin() + static_cast<std::ptrdiff_t>(first);
+    return static_cast<std::size_t>(std::find_if_not(begin, commands.end(), is_last_word) - begin);
+}
+
+void fill(const Command& command, const Rect& tile, const FillTarget& target, std::span<KernelCounts> counts,
+          SettledPixels* settled) {
+    const FillPlan& plan    = *command.plan;
+    const bool is_special   = command.triangle ? plan.kernel.special_triangle : plan.kernel.special_rectangle;
+    KernelCounts* const by  = counts.empty() ? nullptr : &counts[command.pass];
+    FillCounts* const added = !by ? nullptr : is_special ? &by->special : &by->general;
+    if (command.triangle)
+        plan.kernel.triangle(plan, *command.triangle, tile, target, {added, settled});
+    else
+        plan.kernel.rectangle(plan, *command.rectangle, tile, target, {added, nullptr});
 }
 
 }  // namespace
 
-void fill_tile(std::span<const Command* const> commands, const Rect& tile, const FillTarget& target,
-               std::span<KernelCounts> counts) {
-    if (commands.empty()) return;
+void prefetch_tile(const FillTarget& target, const Rect& tile) {
     prefetch(target.color, tile);
     prefetch(target.depth, tile);
-    for (std::size_t i = 0; i < commands.size(); ++i) {
-        if (i + kAhead < commands.size()) prefetch(*commands[i + kAhead]);
-        const Command& command = *commands[i];
-        const FillPlan& plan   = *command.plan;
-        KernelCounts& by       = counts[command.pass];
-        if (command.triangle)
-            plan.kernel.triangle(plan, *command.triangle, tile, target,
-                                 plan.kernel.special_triangle ? by.special : by.general);
-        else
-            plan.kernel.rectangle(plan, *command.rectangle, tile, target,
-                                  plan.kernel.special_rectangle ? by.special : by.general);
+}
+
+void fill_tile(std::span<const Command* const> commands, const Rect& tile, const FillTarget& target,
+               std::span<KernelCounts> counts) {
+    SettledPixels settled;
+    for (std::size_t first = 0; first < commands.size();) {
+        // All fragments have to be counted, where they are, even those that a later one hides.
+        const std::size_t in_reverse = counts.empty() ? count_last_words(commands, first) : 0;
+        if (in_reverse < 2) {
+            if (first + kAhead < commands.size()) prefetch(*commands[first + kAhead]);
+            fill(*commands[first++], tile, target, counts, nullptr);
+            continue;
+        }
+        settled.clear();
+        for (std::size_t i = first + in_reverse; i-- > first;) {
+            if (i >= first + kAhead) prefetch(*commands[i - kAhead]);
+            fill(*commands[i], tile, target, counts, &settled);
+        }
+        first += in_reverse;
     }
 }
 

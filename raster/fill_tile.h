@@ -19,7 +19,10 @@ struct Command {
     std::uint32_t pass              = 0;
 };
 
-// tile: within the target. Adds to counts[Command::pass].
+// Asks for the tile's pixels before the first of them is needed: rows lie far apart, and no processor guesses them.
+void prefetch_tile(const FillTarget& target, const Rect& tile);
+
+// tile: within the target. Adds to counts[Command::pass], if there are any counts.
 void fill_tile(std::span<const Command* const> commands, const Rect& tile, const FillTarget& target,
                std::span<KernelCounts> counts);
 

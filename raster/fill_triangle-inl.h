@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "raster/cover-inl.h"
+#include "raster/hidden-inl.h"
 #include "raster/ramps-inl.h"
 #include "raster/sampling-inl.h"
 #include "raster/shade-inl.h"
@@ -88,12 +89,14 @@ template <class Program>
 class TriangleFill {
   public:
     HWY_INLINE TriangleFill(Program program, const FillPlan& plan, const SetUpTriangle& triangle,
-                            const FillTarget& target)
+                            const FillTarget& target, const TileWork& work)
         : program_(program),
           plan_(plan),
           triangle_(triangle),
           target_(target),
+          work_(work),
           stride_((target.color ? target.color : target.depth)->stride()) {
+        counter_.is_asked = work.counts != nullptr;
         if (program->depth_bits != 0) start_lanes<kDepthDrop>(triangle.depth, depth_.lane);
         if (!program->makes_color) return;
         if (program->reads_diffuse)
@@ -113,6 +116,7 @@ class TriangleFill {
         color_        = target_.color ? target_.color->row(y) + x : nullptr;
         depth_pixels_ = target_.depth ? target_.depth->row(y) + x : nullptr;
         if (program_->depth_bits != 0) start_rows<kDepthDrop>(triangle_.depth, x, y, rows, depth_.row);
+        if (!program_->is_textured()) return fill_directly(cover, live);
         pixels_ = 0;
         live    = test_rows(cover, live);
         if (live == 0 || !program_->makes_color) return;
@@ -123,12 +127,15 @@ class TriangleFill {
             fill_in_place(live);
     }
 
-    HWY_INLINE void add_counts(FillCounts& counts) const { counter_.add_to(counts, program_, plan_); }
+    HWY_INLINE void add_counts() const {
+        if (work_.counts) counter_.add_to(*work_.counts, program_, plan_);
+    }
 
   private:
     HWY_INLINE bool samples(int stage) const {
         return program_->textures[stage].is_read && program_->textures[stage].has_texels;
     }
+    HWY_INLINE bool settles() const { return program_->is_last_word() && work_.settled; }
     HWY_INLINE ColorUse diffuse_use() const { return {program_->floor_colors, false}; }
     HWY_INLINE ColorUse specular_use() const { return {program_->floor_colors, program_->reads_fog_only}; }
 
@@ -168,30 +175,47 @@ class TriangleFill {
         if (samples(1)) textures_[1].enter_column(triangle_.textures[1], x_, y_, rows_);
     }
 
-    // The pixels that are covered and pass the tests that need no colour, in alive_; a bit for each row that has some.
+    // The lanes that are covered and pass the tests that need no colour.
+    HWY_INLINE MU test_lanes(const ColumnCover& cover, int row, int lane) {
+        MU mask = cover.lanes(row, lane);
+        if (settles()) mask = hn::AndNot(mask_of(work_.settled->block(x_, y_ + row) >> lane & all_lanes()), mask);
+        if (counter_.is_asked) counter_.covered += count_lanes(mask);
+        if (program_->tests_first())
+            mask = test_stored(program_, place(row, lane), depth_at(row, lane), mask, mask, counter_);
+        if (settles()) work_.settled->add(x_, y_ + row, bits_of(mask) << lane);
+        return mask;
+    }
+
+    // Without textures: each vector of lanes from its cover to its colour.
+    HWY_INLINE void fill_directly(const ColumnCover& cover, unsigned live) {
+        bool has_colors = false;
+        for (; live != 0; live &= live - 1) {
+            const int row = std::countr_zero(live);
+            for (int lane = cover.first_lane(); lane < cover.end_lane(); lane += lane_count()) {
+                const MU mask = test_lanes(cover, row, lane);
+                if (!program_->makes_color || hn::AllFalse(DU(), mask)) continue;
+                if (!has_colors) enter_color_ramps();
+                has_colors = true;
+                const LanesOfRow lanes{row, lane};
+                finish(program_, plan_, place(row, lane), depth_at(row, lane),
+                       make_color(program_, plan_, Source<LanesOfRow>{*this, lanes, 0}), mask, counter_);
+            }
+        }
+    }
+
+    // test_lanes of all rows, into alive_; a bit for each row that has some.
     HWY_INLINE unsigned test_rows(const ColumnCover& cover, unsigned live) {
         unsigned alive = 0;
         for (; live != 0; live &= live - 1) {
             const int row = std::countr_zero(live);
-            unsigned bits = cover.row(row);
-            counter_.covered += static_cast<std::uint64_t>(std::popcount(bits));
-            if (program_->tests_first()) bits = test_row(row, bits);
+            unsigned bits = 0;
+            for (int lane = cover.first_lane(); lane < cover.end_lane(); lane += lane_count())
+                bits |= bits_of(test_lanes(cover, row, lane)) << lane;
             alive_[row] = static_cast<std::uint16_t>(bits);
             alive |= static_cast<unsigned>(bits != 0) << row;
             pixels_ += std::popcount(bits);
         }
         return alive;
-    }
-    HWY_INLINE unsigned test_row(int row, unsigned covered) {
-        unsigned passed = 0;
-        for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
-            const unsigned bits = covered >> lane & all_lanes();
-            if (lane_count() < kBlockWidth && bits == 0) continue;
-            const MU mask = mask_of(bits);
-            passed |= bits_of(test_stored(program_, place(row, lane), depth_at(row, lane), mask, mask, counter_))
-                      << lane;
-        }
-        return passed;
     }
 
     // Vector by vector of each row. Lanes that are not alive read textures as well: any point is a good one.
@@ -282,6 +306,7 @@ class TriangleFill {
     const FillPlan& plan_;
     const SetUpTriangle& triangle_;
     const FillTarget& target_;
+    const TileWork& work_;
     // The column.
     int x_ = 0, y_ = 0, rows_ = 0;
     std::uint32_t *color_ = nullptr, *depth_pixels_ = nullptr;  // its first pixel in each
@@ -299,18 +324,21 @@ class TriangleFill {
 // Program: OneProgram or AnyProgram.
 template <class Program>
 HWY_INLINE void fill_triangle(Program program, const FillPlan& plan, const SetUpTriangle& triangle, const Rect& tile,
-                              const FillTarget& target, FillCounts& counts) {
+                              const FillTarget& target, const TileWork& work) {
+    const Rect bounds = intersect(triangle.bounds, tile);
+    if (bounds.empty()) return;
+    if (!work.counts && is_hidden(program, triangle, bounds, target, work)) return;
     TileEdges edges;
     if (!enter_tile(triangle, tile, edges)) return;
     ColumnCover cover(edges);
-    TriangleFill<Program> fill(program, plan, triangle, target);
+    TriangleFill<Program> fill(program, plan, triangle, target, work);
     for (int x = edges.bounds.x0 & -kBlockWidth; x < edges.bounds.x1; x += kBlockWidth)
         for (int y = edges.bounds.y0; y < edges.bounds.y1; y += kColumnRows) {
             const int rows      = std::min(kColumnRows, edges.bounds.y1 - y);
             const unsigned live = cover.enter(x, y, rows);
             if (live != 0) fill.fill_column(cover, live, x, y, rows);
         }
-    fill.add_counts(counts);
+    fill.add_counts();
 }
 
 }  // namespace HWY_NAMESPACE

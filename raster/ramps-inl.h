@@ -108,14 +108,33 @@ HWY_INLINE void start_lanes(const Plane& plane, std::int32_t* out) {
         hn::Store(hn::Mul(lane_index(lane), step), DI(), out + lane);
 }
 
-// Two planes of bytes as a ramp of pairs in 8.7 fixed point, half a unit added.
-HWY_INLINE void color_pair_rows(const Plane& low, const Plane& high, int x, int y, int rows, std::int32_t* out) {
-    const RowStarts<kColorDrop> a(low, x, y), b(high, x, y);
-    for (int row = 0; row < rows; row += lane_count()) {
-        const VU pair =
-            hn::Or(hn::And(hn::BitCast(DU(), a.at(row)), set(0xffff)), hn::ShiftLeft<16>(hn::BitCast(DU(), b.at(row))));
-        hn::Store(hn::BitCast(DI(), add16(pair, set_pair(64))), DI(), out + row);
+// A plane of bytes at the first pixels of rows, in 8.7 fixed point, half a unit added: in the high half of each lane, with
+// anything below. No more than 32 bits of the plane have a part in that.
+class ByteRowStarts {
+  public:
+    HWY_INLINE ByteRowStarts(const Plane& plane, int x, int y)
+        : first_(static_cast<std::uint32_t>(plane.at(x, y)) + (64u << kColorDrop) + (1u << (kColorDrop - 1))),
+          dy_(static_cast<std::uint32_t>(plane.dy)) {}
+    HWY_INLINE VU at(int row) const {
+        return hn::Add(set(first_), hn::Mul(hn::BitCast(DU(), lane_index(row)), set(dy_)));
     }
+
+  private:
+    static_assert(kColorDrop == 16);
+    std::uint32_t first_, dy_;
+};
+
+// Two such planes as a ramp of pairs; or one, with anything in the low half.
+HWY_INLINE void color_pair_rows(const Plane& low, const Plane& high, int x, int y, int rows, std::int32_t* out) {
+    const ByteRowStarts a(low, x, y), b(high, x, y);
+    for (int row = 0; row < rows; row += lane_count()) {
+        const VU pair = hn::Or(hn::ShiftRight<16>(a.at(row)), hn::And(b.at(row), set(0xffff0000)));
+        hn::Store(hn::BitCast(DI(), pair), DI(), out + row);
+    }
+}
+HWY_INLINE void color_high_rows(const Plane& high, int x, int y, int rows, std::int32_t* out) {
+    const ByteRowStarts starts(high, x, y);
+    for (int row = 0; row < rows; row += lane_count()) hn::Store(hn::BitCast(DI(), starts.at(row)), DI(), out + row);
 }
 HWY_INLINE void color_pair_lanes(const Plane& low, const Plane& high, std::int32_t* out) {
     const std::uint32_t a = static_cast<std::uint32_t>(read_plane<kColorDrop>(low.dx)) & 0xffff;
@@ -165,7 +184,8 @@ class ColorRamps {
                 start_rows<kColorDrop>(planes[channel], x, y, rows, ramps_[channel].row);
             return;
         }
-        for (int half = use.alpha_only ? 1 : 0; half < 2; ++half)
+        if (use.alpha_only) return color_high_rows(planes[3], x, y, rows, ramps_[1].row);
+        for (int half = 0; half < 2; ++half)
             color_pair_rows(planes[half], planes[half + 2], x, y, rows, ramps_[half].row);
     }
     template <class Lanes>

@@ -18,9 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
 
-// Counts of one primitive in one tile. What follows from others is only added up in the end.
+// Counts of one primitive in one tile, if they are asked for. What follows from others is only added up in the end.
 class Counter {
   public:
+    bool is_asked         = true;
     std::uint64_t covered = 0, dest_alpha_tested = 0, alpha_passed = 0, depth_passed = 0, depth_written = 0,
                   color_written = 0;
 
@@ -51,18 +52,18 @@ template <class Program, class DepthAt>
 HWY_INLINE MU test_stored(Program program, const Place& place, DepthAt depth_at, MU mask, MU writers,
                           Counter& counter) {
     if (program->dest_alpha_test != DestAlphaTest::Off) {
-        counter.dest_alpha_tested += count_lanes(mask);
+        if (counter.is_asked) counter.dest_alpha_tested += count_lanes(mask);
         mask = hn::And(mask, passes(program->dest_alpha_test, hn::Load(DU(), place.color)));
     }
-    if (!program->tests_first() || program->dest_alpha_test != DestAlphaTest::Off)
+    if (counter.is_asked && (!program->tests_first() || program->dest_alpha_test != DestAlphaTest::Off))
         counter.alpha_passed += count_lanes(mask);
     if (program->depth_bits == 0) return mask;
     const VU depth = depth_at(), there = hn::Load(DU(), place.depth);
     mask = hn::And(mask, passes_depth(program, depth, there));
-    counter.depth_passed += count_lanes(mask);
+    if (counter.is_asked) counter.depth_passed += count_lanes(mask);
     if (program->depth_write) {
         const MU written = program->fails_on() ? hn::And(mask, writers) : mask;
-        if (program->fails_on()) counter.depth_written += count_lanes(written);
+        if (counter.is_asked && program->fails_on()) counter.depth_written += count_lanes(written);
         hn::Store(hn::IfThenElse(written, depth, there), DU(), place.depth);
     }
     return mask;
@@ -122,7 +123,7 @@ HWY_INLINE void finish(Program program, const FillPlan& plan, const Place& place
     VU bits = hn::VecFromMask(DU(), mask);  // of the target that may change
     if (program->fails_on()) {
         bits = hn::And(bits, hn::Or(hn::VecFromMask(DU(), passed), set(plan.bits_if_failed)));
-        counter.color_written += count_lanes(hn::Ne(bits, set(0)));
+        if (counter.is_asked) counter.color_written += count_lanes(hn::Ne(bits, set(0)));
     }
     hn::Store(select(hn::And(bits, set(plan.blend.write_mask)), next, dest), DU(), place.color);
 }

@@ -21,8 +21,8 @@ FillKernel::Rectangle get_special_rectangle(const FillProgram&) {
 #else
 template <std::size_t kIndex>
 void fill_special_rectangle(const FillPlan& plan, const SetUpRectangle& rectangle, const Rect& tile,
-                            const FillTarget& target, FillCounts& counts) {
-    fill_rectangle(OneProgram<kRectanglePrograms[kIndex]>(), plan, rectangle, tile, target, counts);
+                            const FillTarget& target, const TileWork& work) {
+    fill_rectangle(OneProgram<kRectanglePrograms[kIndex]>(), plan, rectangle, tile, target, work);
 }
 
 template <std::size_t... kIndices>

@@ -21,8 +21,8 @@ FillKernel::Triangle get_special_triangle(const FillProgram&) {
 #else
 template <std::size_t kIndex>
 void fill_special_triangle(const FillPlan& plan, const SetUpTriangle& triangle, const Rect& tile,
-                           const FillTarget& target, FillCounts& counts) {
-    fill_triangle(OneProgram<kTrianglePrograms[kIndex]>(), plan, triangle, tile, target, counts);
+                           const FillTarget& target, const TileWork& work) {
+    fill_triangle(OneProgram<kTrianglePrograms[kIndex]>(), plan, triangle, tile, target, work);
 }
 
 template <std::size_t... kIndices>

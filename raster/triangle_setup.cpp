@@ -74,7 +74,9 @@ HWY_INLINE Edge make_edge(const PixelGrid& grid, const Corners& c, int from, int
     const std::int64_t ex = c.x[to] - c.x[from], ey = c.y[to] - c.y[from];
     const bool top_left          = ey < 0 || (ey == 0 && ex > 0);
     const std::int64_t at_origin = ex * (grid.center - c.y[from]) - ey * (grid.center - c.x[from]);
-    return {.a = -ey, .b = ex, .c = (at_origin - (top_left ? 0 : 1)) >> kSubpixelBits};
+    return {.a = static_cast<std::int32_t>(-ey),
+            .b = static_cast<std::int32_t>(ex),
+            .c = (at_origin - (top_left ? 0 : 1)) >> kSubpixelBits};
 }
 
 HWY_INLINE Rect pixels_between(const PixelGrid& grid, const Corners& c) {

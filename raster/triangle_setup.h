@@ -13,9 +13,10 @@
 
 namespace raster {
 
-// value at the sample point of pixel (x, y): origin + dx * x + dy * y, modulo 2^64.
+// value at the sample point of pixel (x, y): origin + dx * x + dy * y, modulo 2^64. Not set to anything at first, since arrays
+// of planes are made for every triangle.
 struct Plane {
-    std::uint64_t origin = 0, dx = 0, dy = 0;
+    std::uint64_t origin, dx, dy;
     bool operator==(const Plane&) const = default;
     std::uint64_t at(int x, int y) const {
         return origin + dx * static_cast<std::uint64_t>(x) + dy * static_cast<std::uint64_t>(y);
@@ -25,7 +26,8 @@ struct Plane {
 // Inside where a * x + b * y + c >= 0 for pixel (x, y). The edge function only takes every 16th integer from one pixel
 // to the next, so its low 4 bits never change and are dropped: |a|, |b| <= 2^19.
 struct Edge {
-    std::int64_t a = 0, b = 0, c = 0;
+    std::int32_t a = 0, b = 0;
+    std::int64_t c = 0;
     std::int64_t at(std::int64_t x, std::int64_t y) const { return a * x + b * y + c; }
 };
 
@@ -35,15 +37,17 @@ struct TexturePlanes {
     float sx = 0, tx = 0, qx = 0, sy = 0, ty = 0, qy = 0;  // steps, for the level of detail
 };
 
+// Between the set-up of many and their filling memory has the most to do, so what is needed of all comes first and what few
+// need lies elsewhere.
 struct SetUpTriangle {
     Rect bounds;  // pixels that may be covered, within the scissor
-    std::array<Edge, 3> edges;
-    Plane depth;
     std::int32_t depth_min = 0, depth_max = 0;
+    Plane depth;
+    std::array<Edge, 3> edges;
     std::uint32_t flat_diffuse = 0, flat_specular = 0;     // where the colour does not vary
     bool diffuse_varies = false, specular_varies = false;  // in what is needed of them
-    std::array<Plane, 4> diffuse, specular;                // blue, green, red, alpha
-    std::array<TexturePlanes, kMaxTextures> textures;
+    std::array<Plane, 4> specular, diffuse;                // blue, green, red, alpha
+    TexturePlanes* textures = nullptr;                     // kMaxTextures; whoever makes the triangle gives the room
 };
 
 // What of a triangle a draw needs; the rest is left alone. fog: of specular only its alpha, unless `specular` is set
@@ -63,7 +67,8 @@ struct TriangleList {
     bool flat = false;
 };
 
-// Sets up, in order, from out[0] on, those that may cover something within `scissor`, and returns how many they are.
+// Sets up, in order, from out[0] on, those that may cover something within `scissor`, and returns how many they are. Needs
+// SetUpTriangle::textures if it needs any texture.
 std::size_t set_up_triangles(const TriangleList& triangles, const SetupNeeds& needs, const PixelGrid& grid,
                              const Rect& scissor, SetUpTriangle* out);
 

@@ -119,7 +119,7 @@ class FrameExecution {
                 for (std::size_t i = 0; i <= size; ++i)
                     memory_.filled[i] = {.special = raster::reference_fill_pass(all_fills[i]), .general = {}};
             else
-                memory_.filler.fill(all_fills, memory_.filled, {options_.tile_order_seed});
+                memory_.filler.fill(all_fills, memory_.filled, {options_.tile_order_seed, options_.counts_fragments});
 
             for (const VertexStageDraw& draw : memory_.stage_draws)
                 add_stage_counts(draw.counts, out.counts[static_cast<std::size_t>(draw.pass - frame_.passes.data())]);

@@ -43,8 +43,9 @@ enum class Backend : std::uint8_t { Kernels, Reference };
 
 struct ExecuteOptions {
     Backend backend               = Backend::Kernels;
-    int threads                   = 0;  // 0: all cores
-    std::uint32_t tile_order_seed = 0;  // not 0: tiles are taken in shuffled order, for tests
+    int threads                   = 0;     // 0: all cores
+    std::uint32_t tile_order_seed = 0;     // not 0: tiles are taken in shuffled order, for tests
+    bool counts_fragments         = true;  // false: what Execution says of fragments stays 0, and hidden ones cost less
 };
 
 struct Execution {

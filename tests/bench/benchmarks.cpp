@@ -67,7 +67,7 @@ double peak_memory_mb(const FrameCase& frame_case, int threads) {
 void time_nimbus7(benchmark::State& state, const FrameCase& frame_case, int threads) {
     Kept& kept      = kept_frame(frame_case);
     const auto draw = [&] {
-        kept.executor.execute(kept.frame, kept.execution, {.threads = threads});
+        kept.executor.execute(kept.frame, kept.execution, {.threads = threads, .counts_fragments = false});
         benchmark::DoNotOptimize(kept.execution.output.pixels.data());
     };
     draw();

@@ -117,14 +117,20 @@ void fill(const PassFill& pass, const FillPlan& plan, const FillTarget& target, 
     };
     for (const Draw& draw : pass.draws) {
         std::vector<SetUpTriangle> triangles(draw.triangles.size());
+        std::vector<TexturePlanes> textures(kMaxTextures * triangles.size());
+        for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i].textures = textures.data() + kMaxTextures * i;
         triangles.resize(set_up_triangles({draw.vertices, draw.triangles, draw.flat}, plan.needs, pass.grid,
                                           pass.scissor, triangles.data()));
         for (const SetUpTriangle& triangle : triangles)
-            for_each_tile([&](const Rect& tile) { plan.kernel.triangle(plan, triangle, tile, target, counts); });
+            for_each_tile([&](const Rect& tile) {
+                plan.kernel.triangle(plan, triangle, tile, target, {&counts, nullptr});
+            });
         for (const Rectangle& each : draw.rectangles) {
             SetUpRectangle rectangle;
             if (!set_up_rectangle(each, plan.needs, pass.grid, pass.scissor, rectangle)) continue;
-            for_each_tile([&](const Rect& tile) { plan.kernel.rectangle(plan, rectangle, tile, target, counts); });
+            for_each_tile([&](const Rect& tile) {
+                plan.kernel.rectangle(plan, rectangle, tile, target, {&counts, nullptr});
+            });
         }
     }
 }
@@ -161,6 +167,14 @@ void check_programs(const std::array<FillProgram, kCount>& programs, bool FillKe
                     INFO((general ? "general" : "special") << " kernel");
                     CHECK(got == wanted);
                 }
+                Targets uncounted = random_targets(seed);
+                uncounted.counts  = wanted.counts;
+                PassFill again    = pass;
+                again.color       = special.has_color() ? &uncounted.color : nullptr;
+                again.depth       = &uncounted.depth;
+                PassFiller().fill({&again, 1}, {}, {.counts = false});
+                INFO("nothing counted");
+                CHECK(uncounted == wanted);
             });
         }
 }

@@ -162,7 +162,9 @@ TEST_CASE("setup gives the planes and edges of the rules, exactly", "[raster][se
             needs.width        = {64, 8192};
             needs.height       = {32, 1};
             const TriangleCorners corners{0, 1, 2};
+            std::array<TexturePlanes, kMaxTextures> textures;
             SetUpTriangle got;
+            got.textures = textures.data();
             const Expected expected(triangle, grid);
             if (set_up_triangles({triangle, {&corners, 1}, false}, needs, grid, scissor, &got) == 0) continue;
             ++drawn;

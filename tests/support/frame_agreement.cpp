@@ -22,6 +22,10 @@ void check_kernels(const Frame& frame, const Drawn& want, std::uint32_t seed, st
             const Execution grouped = execute(frame, options);
             if (!(grouped.counts == want.execution.counts)) FAIL("counts differ in groups of passes");
             if (!(grouped.output == want.execution.output)) FAIL("the output differs in groups of passes");
+            ExecuteOptions without_counts   = options;
+            without_counts.counts_fragments = false;
+            if (!(execute(frame, without_counts).output == want.execution.output))
+                FAIL("the output differs where fragments are not counted");
         }
     });
 }

@@ -31,7 +31,7 @@ std::string difference(const Drawn& got, const Drawn& want);
 inline constexpr std::array<int, 4> kThreadCounts{1, 2, 3, 7};
 
 // Draws with the kernels on every instruction set, with `runs` of the thread counts on each, in turn from `seed` on,
-// and tiles shuffled by the seed, pass by pass and in groups of passes. Fails the test that calls it at the first drawing that differs.
+// and tiles shuffled by the seed, pass by pass and in groups of passes, with and without counts. Fails the test that calls it at the first drawing that differs.
 void check_kernels(const pipeline::Frame& frame, const Drawn& want, std::uint32_t seed, std::size_t runs);
 
 }  // namespace test_support
