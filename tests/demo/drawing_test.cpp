@@ -59,6 +59,8 @@ TEST_CASE("a drawing becomes pixels", "[drawing]") {
     drawing.items.emplace_back(DrawnDot{{10.5, 15.5}, 4.0, Ink::Accent});
     // Letters end where the words do, and stand on their line: an I is 3 wide, in the middle of its 5.
     drawing.items.emplace_back(DrawnWords{{30.0, 27.0}, DrawnWords::Anchor::End, "I", 11.0, Ink::Title});
+    drawing.items.emplace_back(DrawnWords{{2.0, 27.0}, DrawnWords::Anchor::Start, "I", 11.0, Ink::Title});
+    drawing.items.emplace_back(DrawnWords{{16.5, 27.0}, DrawnWords::Anchor::Middle, "I", 11.0, Ink::Title});
     const pipeline::ColorImage image = to_image(drawing, 1);
     REQUIRE(image.width == 40);
     REQUIRE(image.height == 30);
@@ -77,6 +79,9 @@ TEST_CASE("a drawing becomes pixels", "[drawing]") {
     CHECK(at(image, 27, 27) == kPaper);
     CHECK(at(image, 27, 19) == kPaper);
     CHECK(at(image, 30, 26) == kPaper);
+    CHECK(at(image, 4, 26) == kTitle);
+    CHECK(at(image, 2, 26) == kPaper);
+    CHECK(at(image, 16, 26) == kTitle);
 
     const pipeline::ColorImage twice = to_image(drawing, 2);
     CHECK(twice.width == 80);
