@@ -38,10 +38,8 @@ struct Pyramid {
     }
 
     // By 1:2 the weights are 3/4 and 1/4 in both axes.
-    void append_up(int level, int by_levels) const {
-        const int times = 1 << by_levels;
-        append_blit("upsample 1:" + std::to_string(times) + " (bilinear)", front(level + by_levels), front(level),
-                    level, draw.bounds, static_cast<float>(times), 0.0f);
+    void append_up(int level) const {
+        append_blit("upsample 1:2 (bilinear)", front(level + 1), front(level), level, draw.bounds, 2.0f, 0.0f);
     }
 };
 
@@ -59,12 +57,8 @@ void append_blur(const CloudDraw& draw) {
         pyramid.append_down(level + 1);
     }
     append_tents(plan.levels, plan.bottom_tents);
-    if (plan.rise == BlurRise::Jump) {
-        if (plan.levels > plan.first_level) pyramid.append_up(plan.first_level, plan.levels - plan.first_level);
-        return;
-    }
     for (int level = plan.levels - 1; level >= plan.first_level; --level) {
-        pyramid.append_up(level, 1);
+        pyramid.append_up(level);
         if (plan.inner_tents && level > 0) pyramid.append_tent(level);
     }
 }

@@ -23,10 +23,8 @@ float enlargement_variance(int levels) {
 
 float variance_px(const BlurPlan& plan) {
     const float first = texel_area(plan.first_level), last = texel_area(plan.levels);
-    float variance = static_cast<float>(plan.bottom_tents) * tent_variance(plan.levels) + (last - first) / 12.0f +
+    float variance = static_cast<float>(plan.bottom_tents) * tent_variance(plan.levels) + (last - first) / 3.0f +
                      enlargement_variance(plan.first_level);
-    variance += plan.rise == BlurRise::Steps ? (last - first) / 4.0f
-                                             : first * enlargement_variance(plan.levels - plan.first_level);
     for (int level = std::max(plan.first_level, 1); level < plan.levels; ++level) {
         const int tents = plan.extra_tents[static_cast<std::size_t>(level)] + (plan.inner_tents ? 2 : 0);
         variance += static_cast<float>(tents) * tent_variance(level);
@@ -54,24 +52,19 @@ BlurPlan plan_blur(Mode mode, float wanted_sigma_px) {
     return best;
 }
 
-BlurPlan replan_blur(Mode mode, const BlurPlan& plan, const MegaParticleOptions& options) {
-    const int first_level = options.target_scale == 4 ? 2 : options.target_scale == 2 ? 1 : 0;
-    const int finest      = std::max(first_level, 1);  // with tents
-    if (first_level == 0 && options.blur_levels == 0 && options.blur_rise == BlurRise::Steps) return plan;
-    BlurPlan other{.levels = std::max(plan.levels, finest), .first_level = first_level, .rise = options.blur_rise};
+BlurPlan at_target_scale(Mode mode, const BlurPlan& plan, int target_scale) {
+    if (target_scale == 1) return plan;
+    const int first_level = target_scale == 4 ? 2 : 1;
+    BlurPlan other{.levels = std::max(plan.levels, first_level), .first_level = first_level};
     if (mode == Mode::Article) return other;
 
-    const float wanted = variance_px(plan), tolerance = texel_area(finest) / 4.0f;
-    const auto is_too_wide = [&](const BlurPlan& bare) { return variance_px(bare) > wanted + tolerance; };
-    for (other.levels = std::clamp(plan.levels + options.blur_levels, finest, kMaxBlurLevels);; --other.levels) {
-        other.inner_tents = options.blur_rise == BlurRise::Steps;
-        if (is_too_wide(other)) other.inner_tents = false;
-        if (!is_too_wide(other) || other.levels <= std::max(plan.levels, finest)) break;
-    }
-    for (int level = other.levels; level >= finest; --level) {
+    const float wanted = variance_px(plan), tolerance = texel_area(first_level) / 4.0f;
+    other.inner_tents = true;
+    other.inner_tents = variance_px(other) <= wanted + tolerance;
+    for (int level = other.levels; level >= first_level; --level) {
         const float tents = std::max((wanted - variance_px(other)) / tent_variance(level), 0.0f);
         (level == other.levels ? other.bottom_tents : other.extra_tents[static_cast<std::size_t>(level)]) =
-            static_cast<int>(level == finest ? std::round(tents) : std::floor(tents));
+            static_cast<int>(level == first_level ? std::round(tents) : std::floor(tents));
     }
     return other;
 }

@@ -7,13 +7,11 @@
 //
 // A blur may begin and end at another level than 0, that of a smaller target: then there are no boxes above it, and it
 // ends with one enlargement of n = 4^first_level: n / 6 + 1 / 12 texels of variance, as a mean over the pixels of a texel.
-// The same, over those of its texels, has a jump from the coarsest level to the first.
 #pragma once
 
 #include <array>
 
 #include "cloud/cloud.h"
-#include "cloud/mega_particles/options.h"
 
 namespace cloud {
 
@@ -25,7 +23,6 @@ struct BlurPlan {
     bool inner_tents = false;
     int bottom_tents = 0;
     int first_level  = 0;  // 0..levels
-    BlurRise rise    = BlurRise::Steps;
     std::array<int, kMaxBlurLevels> extra_tents{};
     bool operator==(const BlurPlan&) const = default;
 };
@@ -37,9 +34,8 @@ float sigma_px(const BlurPlan& plan);
 // to 20.6 px. Article: boxes and steps alone, 1 to 18.5 px.
 BlurPlan plan_blur(Mode mode, float wanted_sigma_px);
 
-// The plan with the levels, the rise and the first level of the options. Tents keep its variance, to half of what one at
-// the finest level gives: 4^max(1, first level) / 4. Where the level more would be wider than that without any tents,
-// there is none more. Article mode has no tents: it keeps its levels, and the width is what it becomes.
-BlurPlan replan_blur(Mode mode, const BlurPlan& plan, const MegaParticleOptions& options);
+// The plan for a target of 1/target_scale, 1, 2 or 4. Tents keep its variance, to half of what one at the finest level
+// gives: 4^first_level / 4. Article mode has no tents: it keeps its levels, and the width is what it becomes.
+BlurPlan at_target_scale(Mode mode, const BlurPlan& plan, int target_scale);
 
 }  // namespace cloud

@@ -37,7 +37,7 @@ int level_of(const CloudDraw& draw, std::size_t particle) {
     const float radius    = greatest_radius(draw.baked.cloud.particles[particle]);
     const float clearance = std::max(distance_m(draw, particle) - radius, draw.view.near_m);
     const int chosen      = choose_level(focal_px(draw.view) * radius / clearance, sigma_px(draw.blur));
-    return std::clamp(chosen + draw.options.sphere_levels, 0, kFinestLevel);
+    return std::max(chosen - draw.options.fewer_sphere_levels, 0);
 }
 
 // Appends the spheres, in the given order, as one draw. vertex_of(particle, vertex) makes the vertices.

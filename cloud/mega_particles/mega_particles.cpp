@@ -24,19 +24,13 @@ using namespace pipeline;
 
 namespace {
 
-std::optional<Turn> second_box_turn(const Cloud& cloud, const MegaParticleOptions& options) {
-    const int boxes = options.fractal_boxes.value_or(cloud.second_box_turn ? 2 : 1);
-    if (boxes == 1) return std::nullopt;
-    return cloud.second_box_turn ? cloud.second_box_turn : -cloud.box_turn.value_or(Turn(1.0f, 0.0f));
-}
-
 // The fractal erodes once, or once more by a second box. The last to do so composites as well; but a constant opacity is
 // one factor more than two texture stages can take, and comes in a rectangle of its own.
 void append_erosions_and_composite(const CloudDraw& draw) {
     const Cloud& cloud          = draw.baked.cloud;
     const CloudTargets& targets = draw.targets;
     const bool at_once          = cloud.opacity >= 1.0f;
-    const auto second_turn      = second_box_turn(cloud, draw.options);
+    const auto second_turn      = cloud.second_box_turn;
     const TargetId last         = second_turn ? targets.finished : targets.eroded;
     Erosion first{.from = targets.particles, .into = targets.eroded, .turn = cloud.box_turn};
     if (at_once && !second_turn) first.into = draw.scene.back_buffer;
@@ -51,11 +45,11 @@ void append_erosions_and_composite(const CloudDraw& draw) {
 bool is_eroded(const Cloud& cloud) {
     return cloud.detail == Detail::Fractal && cloud.mode == Mode::Skirt;
 }
-bool needs_eroded(const Cloud& cloud, const MegaParticleOptions& options) {
-    return is_eroded(cloud) && (cloud.opacity < 1.0f || second_box_turn(cloud, options));
+bool needs_eroded(const Cloud& cloud) {
+    return is_eroded(cloud) && (cloud.opacity < 1.0f || cloud.second_box_turn);
 }
-bool needs_finished(const Cloud& cloud, const MegaParticleOptions& options) {
-    return !is_eroded(cloud) || (cloud.opacity < 1.0f && second_box_turn(cloud, options));
+bool needs_finished(const Cloud& cloud) {
+    return !is_eroded(cloud) || (cloud.opacity < 1.0f && cloud.second_box_turn);
 }
 
 // To the back buffer's size; an eroding box does that by itself.
@@ -76,7 +70,7 @@ void append_detail_and_composite(const CloudDraw& draw) {
     if (cloud.detail == Detail::Fractal) {
         if (cloud.mode == Mode::Skirt) return append_erosions_and_composite(draw);
         append_multiplying_box(draw, draw.targets.finished, cloud.box_turn);
-        if (const auto second_turn = second_box_turn(cloud, draw.options))
+        if (const auto second_turn = cloud.second_box_turn)
             append_multiplying_box(draw, draw.targets.finished, second_turn);
     }
     append_composite(draw, draw.targets.finished);
@@ -194,10 +188,11 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
     Needs needs;
     const int width = round_up(view.width, 1 << kMaxBlurLevels), height = round_up(view.height, 1 << kMaxBlurLevels);
     for (const BakedCloud& baked : clouds) {
-        const Mode mode     = baked.cloud.mode;
-        const BlurPlan blur = replan_blur(mode, plan_blur(mode, wanted_sigma_px(baked, view)), options);
-        const auto rim      = static_cast<int>(std::ceil(3.0f * sigma_px(blur)));
-        auto bounds         = screen_bounds(baked.cloud, view, rim, 1 << blur.levels);
+        const Mode mode = baked.cloud.mode;
+        const BlurPlan blur =
+            at_target_scale(mode, plan_blur(mode, wanted_sigma_px(baked, view)), options.target_scale);
+        const auto rim = static_cast<int>(std::ceil(3.0f * sigma_px(blur)));
+        auto bounds    = screen_bounds(baked.cloud, view, rim, 1 << blur.levels);
         // Behind the eye, but around it.
         if (!bounds && whiteout(baked.cloud, view) > 0.0f)
             bounds = PixelRect{0, 0, round_up(view.width, 1 << blur.levels), round_up(view.height, 1 << blur.levels)};
@@ -205,8 +200,8 @@ void append_mega_particles(Frame& frame, const SceneTargets& scene, const View& 
         const PixelRect halo = grow(*bounds, 1 << blur.levels, width, height);
         needs.first_level    = blur.first_level;
         needs.last_level     = std::max(needs.last_level, blur.levels);
-        needs.eroded |= needs_eroded(baked.cloud, options);
-        needs.finished |= needs_finished(baked.cloud, options);
+        needs.eroded |= needs_eroded(baked.cloud);
+        needs.finished |= needs_finished(baked.cloud);
         needs.area = seen.empty() ? halo : hull(needs.area, halo);
         seen.push_back({&baked, blur, *bounds, halo, nearest_m(baked, view.eye)});
     }

@@ -20,7 +20,8 @@ std::vector<Knob> make_knobs() {
         {"target scale",
          {option<&Technique::target_scale, 2>("scale 1/2"), option<&Technique::target_scale, 4>("scale 1/4")}},
         {"sphere levels",
-         {option<&Technique::sphere_levels, -1>("spheres -1"), option<&Technique::sphere_levels, -2>("spheres -2")}},
+         {option<&Technique::fewer_sphere_levels, 1>("spheres -1"),
+          option<&Technique::fewer_sphere_levels, 2>("spheres -2")}},
         {"skirt", {option<&Technique::skirt, false>("no skirt")}},
     };
 }

@@ -120,44 +120,30 @@ TEST_CASE("plans are chosen by width: about a fifth apart with tents, doubling w
     CHECK(plan_blur(Mode::Article, 4.6f) == BlurPlan{3, false, 0});
 }
 
-TEST_CASE("a blur of a smaller target, or one that jumps up, has the width its plan says") {
-    const BlurPlan plan = GENERATE(
-        BlurPlan{.levels = 1, .bottom_tents = 2, .first_level = 1}, BlurPlan{.levels = 2, .first_level = 2},
-        BlurPlan{.levels = 3, .inner_tents = true, .bottom_tents = 1, .first_level = 1},
-        BlurPlan{.levels = 3, .first_level = 2, .extra_tents = {0, 0, 2}},
-        BlurPlan{.levels = 3, .bottom_tents = 1, .rise = BlurRise::Jump},
-        BlurPlan{.levels = 2, .bottom_tents = 3, .rise = BlurRise::Jump, .extra_tents = {0, 2}},
-        BlurPlan{
-            .levels = 4, .bottom_tents = 1, .first_level = 1, .rise = BlurRise::Jump, .extra_tents = {0, 1, 1, 1}});
+TEST_CASE("a blur of a smaller target has the width its plan says") {
+    const BlurPlan plan =
+        GENERATE(BlurPlan{.levels = 1, .bottom_tents = 2, .first_level = 1}, BlurPlan{.levels = 2, .first_level = 2},
+                 BlurPlan{.levels = 3, .inner_tents = true, .bottom_tents = 1, .first_level = 1},
+                 BlurPlan{.levels = 3, .first_level = 2, .extra_tents = {0, 0, 2}},
+                 BlurPlan{.levels = 4, .bottom_tents = 1, .first_level = 1, .extra_tents = {0, 1, 1, 1}});
     INFO("levels " << plan.first_level << " to " << plan.levels << ", bottom tents " << plan.bottom_tents);
     CHECK(measured_sigma_px(plan) == Approx(sigma_px(plan)).epsilon(0.02));
 }
 
-// Every plan there is, under every choice; half of a tent at the finest level is the most that tents cannot make up for.
-TEST_CASE("other levels, another rise and a smaller target keep the variance of the blur") {
+// Every plan there is; half of a tent at the finest level is the most that tents cannot make up for.
+TEST_CASE("a smaller target keeps the variance of the blur") {
     const auto variance = [](const BlurPlan& plan) { return sigma_px(plan) * sigma_px(plan); };
-    bool changes_levels = false;
-    for (float wanted = 1.0f; wanted < 24.0f; wanted *= 1.1f)
-        for (int scale : {1, 2, 4})
-            for (int more = -2; more <= 2; ++more)
-                for (BlurRise rise : {BlurRise::Steps, BlurRise::Jump}) {
-                    const BlurPlan plan = plan_blur(Mode::Skirt, wanted);
-                    const BlurPlan other =
-                        replan_blur(Mode::Skirt, plan, {.target_scale = scale, .blur_levels = more, .blur_rise = rise});
-                    INFO("sigma " << wanted << ", scale " << scale << ", levels " << more << ", rise "
-                                  << static_cast<int>(rise));
-                    const int first = scale == 4 ? 2 : scale / 2, finest = std::max(first, 1);
-                    CHECK(other.first_level == first);
-                    CHECK(other.rise == rise);
-                    CHECK(std::abs(variance(other) - variance(plan)) <=
-                          0.25 * static_cast<double>(1 << (2 * finest)) + 1e-3);
-                    CHECK(other.levels <= std::max(plan.levels + std::max(more, 0), finest));
-                    if (more < 0) CHECK(other.levels == std::max(plan.levels + more, finest));
-                    changes_levels |= other.levels > plan.levels && scale == 1;
-                    if (scale == 1 && more == 0 && rise == BlurRise::Steps) CHECK(other == plan);
-                }
-    CHECK(changes_levels);
-    const BlurPlan article = plan_blur(Mode::Article, 4.6f);
-    CHECK(replan_blur(Mode::Article, article, {.blur_levels = 1}) == article);
-    CHECK(replan_blur(Mode::Article, article, {.target_scale = 2}) == BlurPlan{.levels = 3, .first_level = 1});
+    for (float wanted = 1.0f; wanted < 24.0f; wanted *= 1.1f) {
+        const BlurPlan plan = plan_blur(Mode::Skirt, wanted);
+        CHECK(at_target_scale(Mode::Skirt, plan, 1) == plan);
+        for (const int scale : {2, 4}) {
+            const BlurPlan other = at_target_scale(Mode::Skirt, plan, scale);
+            INFO("sigma " << wanted << ", scale " << scale);
+            const int first = scale / 2;
+            CHECK(other.first_level == first);
+            CHECK(std::abs(variance(other) - variance(plan)) <= 0.25 * static_cast<double>(1 << (2 * first)) + 1e-3);
+            CHECK(other.levels == std::max(plan.levels, first));
+        }
+    }
+    CHECK(at_target_scale(Mode::Article, plan_blur(Mode::Article, 4.6f), 2) == BlurPlan{.levels = 3, .first_level = 1});
 }

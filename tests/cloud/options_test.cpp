@@ -90,14 +90,8 @@ TEST_CASE("choices that there are not are refused", "[cloud]") {
     SECTION("target scale") {
         options.target_scale = GENERATE(0, 3, 8);
     }
-    SECTION("levels") {
-        options.blur_levels = GENERATE(-5, 5);
-    }
     SECTION("spheres") {
-        options.sphere_levels = GENERATE(-4, 4);
-    }
-    SECTION("boxes") {
-        options.fractal_boxes = GENERATE(0, 3);
+        options.fewer_sphere_levels = GENERATE(-1, 4);
     }
     CHECK_THROWS_AS(frame_of(cumulus(), options), std::invalid_argument);
 }
@@ -108,12 +102,7 @@ TEST_CASE("frames of all choices are valid, in every mode, detail and order", "[
     cloud.detail  = GENERATE(Detail::Fractal, Detail::Displacement, Detail::None);
     cloud.order   = GENERATE(Order::InOrder, Order::OrderFree);
     cloud.opacity = cloud.order == Order::InOrder ? 1.0f : 0.6f;
-    const MegaParticleOptions options{.target_scale  = GENERATE(1, 2, 4),
-                                      .blur_levels   = 1,
-                                      .blur_rise     = BlurRise::Jump,
-                                      .sphere_levels = 1,
-                                      .fractal_boxes = 2,
-                                      .skirt         = false};
+    const MegaParticleOptions options{.target_scale = GENERATE(1, 2, 4), .fewer_sphere_levels = 1, .skirt = false};
     const BakedCloud baked = bake(cloud, Daylight{});
     for (const auto& [z, width, height] :
          {std::tuple{170.0f, 160, 90}, std::tuple{24.0f, 7, 5}, std::tuple{3.0f, 33, 20}}) {
@@ -223,21 +212,6 @@ TEST_CASE("at a smaller scale a cloud that fills the picture does so up to its e
     CHECK(std::abs(sum) < 10 * 320);
 }
 
-TEST_CASE("a second box is the first, turned half way round; with one the second is left out", "[cloud]") {
-    Cloud one = cumulus();
-    one.box_turn =
-        Turn(1.0f, 0.0f);  // boxes that turn are as wide as deep, so that the second one's shape is the first's
-    Cloud two           = one;
-    two.second_box_turn = Turn(-1.0f, 0.0f);
-    CHECK(frame_of(one, {.fractal_boxes = 2}) == frame_of(two, {}));
-    CHECK(frame_of(two, {.fractal_boxes = 1}) == frame_of(one, {}));
-    CHECK_FALSE(frame_of(one, {}) == frame_of(two, {}));
-    CHECK(frame_of(one, {.fractal_boxes = 1}) == frame_of(one, {}));
-    CHECK(frame_of(two, {.fractal_boxes = 2}) == frame_of(two, {}));
-    one.box_turn = Turn(0.6f, 0.8f), two.box_turn = one.box_turn, two.second_box_turn = Turn(-0.6f, -0.8f);
-    CHECK(frame_of(one, {.fractal_boxes = 2}) == frame_of(two, {}));
-}
-
 TEST_CASE("without a skirt only its clear is left", "[cloud]") {
     const Frame with = frame_of(cumulus(), {}), without = frame_of(cumulus(), {.skirt = false});
     CHECK(with.passes.size() == without.passes.size());
@@ -249,18 +223,16 @@ TEST_CASE("without a skirt only its clear is left", "[cloud]") {
     CHECK(pass_named(with, "alpha 1").draws.size() == pass_named(without, "alpha 1").draws.size());
 }
 
-TEST_CASE("spheres are subdivided once more, or once less, as far as there are levels", "[cloud]") {
+TEST_CASE("spheres are subdivided less, as far as there are levels", "[cloud]") {
     Cloud cloud        = cumulus();
     cloud.particles    = {{.center = Vec3(0.0f, 60.0f, 0.0f), .radius = 18.0f}};
     cloud.blur_m       = 3.0f;
-    const auto spheres = [&](int levels) {
-        return triangles_of(frame_of(cloud, {.sphere_levels = levels}), "alpha 1");
+    const auto spheres = [&](int fewer) {
+        return triangles_of(frame_of(cloud, {.fewer_sphere_levels = fewer}), "alpha 1");
     };
     const std::uint32_t chosen = spheres(0);
     CHECK(chosen > 20);
     CHECK(chosen < 1280);
-    CHECK(spheres(1) == 4 * chosen);
-    CHECK(4 * spheres(-1) == chosen);
-    CHECK(spheres(-3) == 20);
-    CHECK(spheres(3) == 1280);
+    CHECK(4 * spheres(1) == chosen);
+    CHECK(spheres(3) == 20);
 }

@@ -178,8 +178,8 @@ TEST_CASE("each knob changes its own option, and in a frame what that is about",
     const std::vector<Expected> expected{
         {"scale 1/2", {.target_scale = 2}, "targets|passes|vertices|indices|cameras"},
         {"scale 1/4", {.target_scale = 4}, "targets|passes|vertices|indices|cameras"},
-        {"spheres -1", {.sphere_levels = -1}, geometry},
-        {"spheres -2", {.sphere_levels = -2}, geometry},
+        {"spheres -1", {.fewer_sphere_levels = 1}, geometry},
+        {"spheres -2", {.fewer_sphere_levels = 2}, geometry},
         {"no skirt", {.skirt = false}, geometry + skirt},
     };
     const demo::ScenePtr scene = demo::load_scene("canyon");
