@@ -20,8 +20,6 @@ inline constexpr std::array kTriangleNames{
     "skirt",
     "rim mask",
     "box: erode, over the scene",
-    "box: dissolve, over the scene",
-    "box: erode",
     "box: dissolve",
     "box: multiply",
     "box: multiply, one level",
@@ -43,7 +41,6 @@ inline constexpr std::array kRectangleNames{
     "colour, depth",
     "colour, over",
     "colour, multiplied",
-    "colour, times one more",
     "colour, alpha kept",
     "blit, linear, alpha kept",
 };

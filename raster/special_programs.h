@@ -158,10 +158,8 @@ inline constexpr std::array kTrianglePrograms{
     special::depth(special::fogged(special::vertex_color()), Compare::LessEqual, false),
     // The mask of their rim.
     special::alpha_only(special::depth(special::vertex_color(), Compare::LessEqual, false)),
-    // Fractal boxes: eroding, at once over the scene or first into a target of its own; multiplying.
+    // Fractal boxes: eroding at once over the scene, or what dissolves into a target of its own; multiplying.
     special::over(special::eroded(special::kTexelAsItIs)),
-    special::over(special::eroded(special::kDissolvedTexel)),
-    special::eroded(special::kTexelAsItIs),
     special::eroded(special::kDissolvedTexel),
     special::alpha_only(special::blended(special::texture(special::stages(special::kTexelAsItIs), 0, special::kFractal),
                                          kZero, special::kSourceColor)),
@@ -193,7 +191,6 @@ inline constexpr std::array kRectanglePrograms{
     special::depth(special::vertex_color(), Compare::LessEqual, true),
     special::over(special::vertex_color()),
     special::blended(special::vertex_color(), kZero, special::kSourceColor),
-    special::blended(special::vertex_color(), special::kDest, kOne),
     // The same with the alpha that is there, as a chip with alpha in its back buffer draws.
     special::without_alpha(special::vertex_color()),
     special::without_alpha(special::texture(special::stages(special::kTexelAsItIs), 0, special::kLinearRepeated)),

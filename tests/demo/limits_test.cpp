@@ -44,7 +44,7 @@ TEST_CASE("a frame beyond a limit is refused in one line, whichever command is g
     }
 }
 
-TEST_CASE("--limit is how many times the limits may be exceeded", "[limits]") {
+TEST_CASE("the limits may be exceeded as many times as --limit says", "[limits]") {
     const ScratchDirectory directory;
     tests::write_file(directory / "many.txt", frame_text(" { width 1 height 1 }", " rectangle { }"));
     const auto run = [&](const std::string& limit) {
