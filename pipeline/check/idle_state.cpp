@@ -251,7 +251,9 @@ Arithmetic with_idle_rules_of(const Frame& frame, const Arithmetic& other) {
         if (work.rounds_in_stages()) rules.combine = own.combine;
         if (work.fogs()) rules.fog = own.fog;
         if (work.blends()) rules.blend = own.blend;
-        if (work.blends() && work.cuts) rules.blend_source = own.blend_source;
+        // What is cut before is not dithered.
+        const bool dithers = pass.state.dither.mode != DitherMode::None;
+        if (work.cuts && (work.blends() || dithers)) rules.blend_source = own.blend_source;
     }
     return rules;
 }

@@ -68,7 +68,7 @@ void FrameMemory::TextureMemory::set(const Texture& texture, bool with_quads) {
                            [](std::uint8_t l) { return 0xff000000u | l * 0x010101u; });
     }
     texels = expanded.data();
-    if (!with_quads) quads = {};
+    if (!with_quads) quads = std::vector<std::uint32_t>();  // {} would keep the memory
     if (with_quads && quads.empty()) pack_quads(texture, quads);
 }
 
