@@ -36,6 +36,9 @@ bool require_agreement(const Frame& frame, std::uint32_t seed) {
         const Execution grouped = execute(frame, options);  // not observed, passes are drawn in groups
         require(grouped.counts == want.execution.counts, how + "counts differ in groups of passes");
         require(grouped.output == want.execution.output, how + "the output differs in groups of passes");
+        ExecuteOptions uncounted   = options;  // leaves out what is hidden
+        uncounted.counts_fragments = false;
+        require(execute(frame, uncounted).output == want.execution.output, how + "the output differs without counts");
     }
     return true;
 }
