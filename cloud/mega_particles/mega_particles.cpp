@@ -83,11 +83,10 @@ void append_cloud(const CloudDraw& draw) {
     // Around the cloud, for the blur to mix in: the cloud's own colour, or the scene's. Else it is black.
     if (mode == Mode::Skirt) append_skirt(draw);
     if (mode == Mode::Article) append_scene_copy(draw);
-    // Before the particles: they would hide what of the mask is drawn with fewer triangles, and so lies deeper.
-    if (draw.baked.cloud.order == Order::OrderFree) append_rim_mask(draw);
     append_particles(draw);  // the basic shape: few large spheres, lit and hidden like any object
     append_blur(draw);       // colour and alpha: hides the spheres' edges, makes the rim soft
     append_enlargement(draw);
+    if (draw.baked.cloud.order == Order::OrderFree) append_rim_mask(draw);
     append_detail_and_composite(draw);
     append_whiteout(draw);
 }
