@@ -41,6 +41,7 @@ inline constexpr std::array kRectangleNames{
     "colour, depth",
     "colour, over",
     "colour, multiplied",
+    "colour, times one more",
     "colour, alpha kept",
     "blit, linear, alpha kept",
 };

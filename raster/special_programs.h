@@ -191,6 +191,7 @@ inline constexpr std::array kRectanglePrograms{
     special::depth(special::vertex_color(), Compare::LessEqual, true),
     special::over(special::vertex_color()),
     special::blended(special::vertex_color(), kZero, special::kSourceColor),
+    special::blended(special::vertex_color(), special::kDest, kOne),
     // The same with the alpha that is there, as a chip with alpha in its back buffer draws.
     special::without_alpha(special::vertex_color()),
     special::without_alpha(special::texture(special::stages(special::kTexelAsItIs), 0, special::kLinearRepeated)),

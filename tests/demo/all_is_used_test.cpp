@@ -15,6 +15,7 @@
 #include "pipeline/execute/fill_kernel_list.h"
 #include "pipeline/legalize/rewrites.h"
 #include "tests/bench/frames.h"
+#include "tests/support/small_frame.h"
 
 using namespace pipeline;
 
@@ -144,6 +145,11 @@ TEST_CASE("every state, kernel and rewrite serves a scene, a chip or a golden ve
     CHECK(idle == std::set<std::string>{});
     add_golden_vectors(uses);
     for (const bench::FrameCase& fill : bench::fill_cases()) uses.add_kernels(fill.build());
+    // Kernels' blends are swept over all bytes by plain rectangles; that of thrown light has no other.
+    Frame plain                 = test_support::small_frame(8, 8);
+    plain.passes[0].state.blend = {BlendFactor::DestColor, BlendFactor::One};
+    plain.passes[0].draws       = {test_support::rectangle({0, 0, 8, 8}, 0xff102030)};
+    uses.add_kernels(plain);
     CHECK(uses.unused_states() == std::set<std::string>{});
     CHECK(uses.unused_kernels() == std::vector<std::string>{});
     CHECK(uses.unused_rewrites() == std::vector<std::string_view>{});
