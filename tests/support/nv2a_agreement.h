@@ -15,13 +15,4 @@ namespace test_support {
 // One line for each thing that differs, at most 20; empty if nothing does.
 std::vector<std::string> nv2a_differences(const pipeline::Frame& frame, const pipeline::Emitted& emitted);
 
-// How a stage's result, the second colour and fog come out of the frame's state, in real numbers; of the texels that a stage has
-// none of, nothing is asked.
-struct StageColors {
-    std::array<double, 4> diffuse{}, specular{};
-    std::array<std::array<double, 4>, 2> texels{};
-    double fog = 1.0;
-};
-std::array<double, 4> shaded(const pipeline::PipelineState& state, const StageColors& colors, bool has_fog);
-
 }  // namespace test_support

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads what pipeline/emit/emit_nv2a.h writes back, by the numbers alone and with none of its code: a register file that begins
-// empty and is emptied at every pass, memory filled from the side file, and what the chip does with both, in real numbers, as
-// xemu's hw/xbox/nv2a/pgraph has it. What reads a register that nobody wrote, or memory that nobody filled, throws.
+// empty and is emptied at every pass, memory filled from the side file, and the textures in it. What reads a register that nobody
+// wrote, or memory that nobody filled, throws.
 #pragma once
 
 #include <array>
@@ -16,6 +16,9 @@
 #include "pipeline/emit/emitted.h"
 
 namespace test_support {
+
+// std::runtime_error.
+[[noreturn]] void fail_nv2a(const std::string& what);
 
 class Nv2aRegisters {
   public:
@@ -58,38 +61,6 @@ struct Nv2aEvent {
     std::vector<std::uint32_t> elements;
 };
 void run_nv2a(const std::string& text, const std::function<void(const Nv2aEvent&)>& visit);
-
-struct Real4 {
-    double r = 0.0, g = 0.0, b = 0.0, a = 0.0;
-};
-
-struct Nv2aVertex {
-    std::array<double, 4> position{};
-    std::array<double, 3> normal{};
-    Real4 diffuse{0.0, 0.0, 0.0, 1.0}, specular{0.0, 0.0, 0.0, 1.0};
-    std::array<std::array<double, 4>, 2> coords{};
-};
-Nv2aVertex fetch_vertex(const Nv2aRegisters& registers, const Nv2aBytes& memory, std::uint32_t element);
-
-using Real4x4 = std::array<std::array<double, 4>, 4>;
-Real4x4 matrix_at(const Nv2aRegisters& registers, std::uint32_t offset);
-std::array<double, 4> times(const Real4x4& matrix, const std::array<double, 4>& vector);
-
-// Window x, y, z times w, and w.
-std::array<double, 4> window_of(const Nv2aRegisters& registers, const Nv2aVertex& vertex);
-// s, t, r, q.
-std::array<double, 4> coords_of(const Nv2aRegisters& registers, const Nv2aVertex& vertex, std::uint32_t unit);
-// Clamped.
-Real4 first_color(const Nv2aRegisters& registers, const Nv2aVertex& vertex);
-Real4 second_color(const Nv2aRegisters& registers, const Nv2aVertex& vertex);
-double fog_of(const Nv2aRegisters& registers, const Nv2aVertex& vertex);
-
-// The fragment's colour after the final combiner, clamped.
-struct Nv2aInputs {
-    Real4 v0, v1, t0, t1;
-    double fog = 1.0;
-};
-Real4 combine(const Nv2aRegisters& registers, const Nv2aInputs& inputs);
 
 struct Nv2aTexture {
     std::uint32_t address = 0, format = 0, width = 0, height = 0, levels = 0, pitch = 0;
