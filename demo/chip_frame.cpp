@@ -59,7 +59,7 @@ std::string joined(const std::vector<std::string>& words) {
 std::optional<pipeline::FrameCost> cost_of(const Frame& frame, const Profile& profile) {
     const pipeline::ChipRates* rates = pipeline::find_rates(profile.name);
     if (rates == nullptr) return {};
-    return pipeline::cost(frame, pipeline::execute(frame).counts, *rates);
+    return pipeline::cost(frame, pipeline::execute(frame, {.counts_only = true}).counts, *rates);
 }
 
 bool is_of_memory(const ChipFinding& finding) {

@@ -35,6 +35,13 @@ struct ExecutorMemory {
 
 namespace {
 
+// May a colour decide what is counted?
+bool tests_alpha(const Frame& frame) {
+    return std::any_of(frame.passes.begin(), frame.passes.end(), [](const Pass& pass) {
+        return pass.state.alpha_test.func != CompareFunc::Always || pass.state.dest_alpha_test != DestAlphaTest::Off;
+    });
+}
+
 bool is_whole(const PixelRect& rect) {
     return rect == PixelRect{};
 }
@@ -91,8 +98,9 @@ class FrameExecution {
           memory_(memory),
           stored_(options.backend == Backend::Reference ? &raster::reference_stored
                                                         : static_cast<StoreFunction*>(&raster::stored)),
+          has_colors_(!options.counts_only || is_reference() || tests_alpha(frame)),
           arena_(options.threads) {
-        arena_.run([&] { memory.frame.prepare(frame, stored_); });
+        arena_.run([&] { memory.frame.prepare(frame, stored_, has_colors_); });
     }
 
     // Adds what the passes did to the counts of `out`. index: of the group.
@@ -184,7 +192,7 @@ class FrameExecution {
         fill.scissor             = raster::intersect(to_rect(viewport), to_rect(resolve(pass.state.scissor, pass)));
         fill.clear_color.reset();
         fill.clear_depth.reset();
-        if (pass.clear.color) fill.clear_color = stored_(fill.format, pass.clear.color->value);
+        if (pass.clear.color && has_colors_) fill.clear_color = stored_(fill.format, pass.clear.color->value);
         if (pass.clear.depth)
             fill.clear_depth = raster::to_depth_format(raster::depth_value(*pass.clear.depth), fill.depth_bits);
 
@@ -235,8 +243,10 @@ class FrameExecution {
 
     raster::FillState state(const Pass& pass, const TextureBindings& textures) {
         for (const TextureBinding& binding : textures) memory_.frame.set_zeros(binding.target);
-        return lower(frame_.arithmetic, pass.state, pass.color ? std::optional(format(pass.color)) : std::nullopt,
-                     textures, memory_.frame);
+        const std::optional<TargetFormat> color = pass.color ? std::optional(format(pass.color)) : std::nullopt;
+        raster::FillState state                 = lower(frame_.arithmetic, pass.state, color, textures, memory_.frame);
+        if (!has_colors_) state.blend.write_mask = 0;
+        return state;
     }
 
     // What the group's targets need before they are drawn to for the first time, unless its first pass clears all of
@@ -273,16 +283,20 @@ class FrameExecution {
         if (rectangle.channels != CopyChannels::All) memory_.frame.set_zeros(pass.color);
         memory_.frame.add_drawn(
             pass.color, {fill.x, fill.y, fill.x + (from.x1 - from.x0) / scale, fill.y + (from.y1 - from.y0) / scale});
-        if (is_reference())
-            raster::reference_copy_pixels(fill);
-        else
-            raster::copy_pixels(fill);
+        if (has_colors_) (is_reference() ? raster::reference_copy_pixels : raster::copy_pixels)(fill);
         const std::uint64_t read    = area(fill.from);
         const std::uint64_t written = read / (rectangle.halve ? 4 : 1);
         ++counts.copies;
         counts.texels += read;
         counts.color_written += written;
         counts.bytes += read * pixel_bytes(rectangle.source) + written * pixel_bytes(pass.color);
+    }
+
+    // Do its fragments write a channel that the target has?
+    bool writes_color(const Pass& pass) const {
+        const ColorMask& mask = pass.state.color_mask;
+        return pass.color &&
+               (mask.red || mask.green || mask.blue || (mask.alpha && color_format(format(pass.color)).alpha > 0));
     }
 
     static void count_window_triangles(const Pass& pass, const raster::PassFill& fill, PassCounts& counts) {
@@ -311,7 +325,8 @@ class FrameExecution {
     }
 
     // What follows from the fragments and the state.
-    void count_fill(const Pass& pass, const raster::FillCounts& filled, PassCounts& counts) const {
+    void count_fill(const Pass& pass, raster::FillCounts filled, PassCounts& counts) const {
+        if (!has_colors_ && writes_color(pass)) filled.color_written = filled.depth_passed;
         const PipelineState& state = pass.state;
         const bool masked          = state.color_mask != ColorMask{} || state.alpha_test.fail == AlphaFail::RgbOnly;
         const bool blends          = reads_destination(frame_.arithmetic, state);
@@ -335,6 +350,7 @@ class FrameExecution {
     const ExecuteOptions& options_;
     ExecutorMemory& memory_;
     StoreFunction* stored_;
+    bool has_colors_;
     raster::ThreadArena arena_;
 };
 
@@ -363,7 +379,7 @@ void Executor::execute(const Frame& frame, Execution& out, const ExecuteOptions&
         };
         observer({group.first, pass, out.counts[group.first], out.kernels[group.first], read_color});
     }
-    execution.read(frame.output, out.output);
+    execution.read(options.counts_only ? TargetId{} : frame.output, out.output);
 }
 
 Execution Executor::execute(const Frame& frame, const ExecuteOptions& options, const PassObserver& observer) {

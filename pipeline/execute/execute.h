@@ -46,6 +46,7 @@ struct ExecuteOptions {
     int threads                   = 0;     // 0: all cores
     std::uint32_t tile_order_seed = 0;     // not 0: tiles are taken in shuffled order, for tests
     bool counts_fragments         = true;  // false: what Execution says of fragments stays 0, and hidden ones cost less
+    bool counts_only = false;  // the output stays empty, and no colour is made where no test of the frame reads alpha
 };
 
 struct Execution {

@@ -72,13 +72,18 @@ void FrameMemory::TextureMemory::set(const Texture& texture, bool with_quads) {
     if (with_quads && quads.empty()) pack_quads(texture, quads);
 }
 
-void FrameMemory::prepare(const Frame& frame, StoreFunction* stored) {
+void FrameMemory::prepare(const Frame& frame, StoreFunction* stored, bool has_colors) {
     frame_                 = &frame;
+    has_colors_            = has_colors;
     std::vector<bool> used = targets_in_use(frame);
     if (frame.output) used[frame.output.index] = true;
+    if (!has_colors)
+        for (std::size_t i = 0; i < used.size(); ++i) used[i] = used[i] && is_depth(frame.targets[i].format);
     // The rasterizer is given one image at least.
-    for (const Pass& pass : frame.passes)
+    for (const Pass& pass : frame.passes) {
         if (!pass.color) used[pass.depth.index] = true;
+        if (!has_colors && draws(pass) && !(pass.depth && used[pass.depth.index])) used[pass.color.index] = true;
+    }
     targets_.resize(frame.targets.size());
     tbb::parallel_for(std::size_t{0}, targets_.size(), [&](std::size_t i) {
         const Target& target     = frame.targets[i];
@@ -98,7 +103,7 @@ void FrameMemory::prepare(const Frame& frame, StoreFunction* stored) {
     textures_.resize(frame.textures.size());
     set_uses(frame, uses_);
     tbb::parallel_for(std::size_t{0}, textures_.size(), [&](std::size_t i) {
-        if (uses_[i] == TextureUse::None)
+        if (uses_[i] == TextureUse::None || !has_colors)
             textures_[i] = {};
         else
             textures_[i].set(frame.textures[i], uses_[i] == TextureUse::ReadByQuads);
@@ -144,6 +149,9 @@ raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
     if (has_memory(binding.target)) {
         const raster::Image& target = targets_[binding.target.index].image;
         sampler.levels.push_back({target.row(0), target.width(), target.height(), target.stride()});
+    } else if (binding.target && !has_colors_) {
+        const Target& target = frame_->targets[binding.target.index];
+        sampler.levels.push_back({nullptr, target.width, target.height, target.width});
     } else if (binding.texture && uses_[binding.texture.index] != TextureUse::None) {
         const Texture& texture      = frame_->textures[binding.texture.index];
         const TextureMemory& memory = textures_[binding.texture.index];
@@ -152,6 +160,7 @@ raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
         for (int level = 0; level < texture.levels; ++level) {
             const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
             sampler.levels.push_back({texels, width, height, width});
+            if (!has_colors_) continue;
             texels += static_cast<std::ptrdiff_t>(width) * height;
             if (memory.quads.empty()) continue;
             sampler.alpha_quads.push_back({quads, width, height, width + 1});

@@ -19,8 +19,9 @@ using StoreFunction = std::uint32_t(const raster::ColorFormat& format, std::uint
 class FrameMemory {
   public:
     // The frame must outlive its drawing. Uses the threads of the arena it is called in. `stored`: see
-    // raster/color_format.h.
-    void prepare(const Frame& frame, StoreFunction* stored);
+    // raster/color_format.h. Without colours only those targets have memory that hold depth, or serve as the one image that
+    // a pass must have; textures have none, and samplers have sizes alone.
+    void prepare(const Frame& frame, StoreFunction* stored, bool has_colors = true);
 
     // Null if it is not used; what it would hold then is zero().
     raster::Image* image(TargetId id) { return has_memory(id) ? &targets_[id.index].image : nullptr; }
@@ -70,6 +71,7 @@ class FrameMemory {
     std::vector<TextureMemory> textures_;  // only those in use are up to date
     std::vector<TextureUse> uses_;
     const Frame* frame_ = nullptr;
+    bool has_colors_    = true;
 };
 
 }  // namespace pipeline

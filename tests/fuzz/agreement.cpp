@@ -39,6 +39,9 @@ bool require_agreement(const Frame& frame, std::uint32_t seed) {
         ExecuteOptions uncounted   = options;  // leaves out what is hidden
         uncounted.counts_fragments = false;
         require(execute(frame, uncounted).output == want.execution.output, how + "the output differs without counts");
+        ExecuteOptions counts_only = options;
+        counts_only.counts_only    = true;
+        require(execute(frame, counts_only).counts == want.execution.counts, how + "counts differ without the output");
     }
     return true;
 }

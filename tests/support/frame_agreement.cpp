@@ -26,6 +26,11 @@ void check_kernels(const Frame& frame, const Drawn& want, std::uint32_t seed, st
             without_counts.counts_fragments = false;
             if (!(execute(frame, without_counts).output == want.execution.output))
                 FAIL("the output differs where fragments are not counted");
+            ExecuteOptions counts_only = options;
+            counts_only.counts_only    = true;
+            const Execution counted    = execute(frame, counts_only);
+            if (!(counted.counts == want.execution.counts)) FAIL("counts differ where nothing else is asked for");
+            if (!(counted.output == ColorImage{})) FAIL("there is an output where only counts are asked for");
         }
     });
 }
