@@ -90,6 +90,7 @@ struct PassFiller::Memory {
 
     void list_runs();
     void list_parts();
+    static void make_room(const Run& run, Part& part);
     void bin(Part& part, const TileGrid& grid);
     void bin_triangles(const Run& run, Part& part, const TileGrid& grid);
     void bin_rectangles(const Run& run, Part& part, const TileGrid& grid);
@@ -135,17 +136,21 @@ void PassFiller::Memory::list_parts() {
         part.end_run                   = end;
         part.next_first                = 0;
         part.is_binned                 = false;
-        // Commands point to these, so they must not move.
-        if (part.triangles.empty()) {
-            part.triangles.resize(kPartPrimitives);
-            part.textures.resize(kMaxTextures * kPartPrimitives);
-            for (std::size_t i = 0; i < kPartPrimitives; ++i)
-                part.triangles[i].textures = part.textures.data() + kMaxTextures * i;
-        }
-        part.rectangles.reserve(kPartPrimitives);
-        part.commands.reserve(kPartPrimitives);
-        first = end;
+        first                          = end;
     }
+}
+
+// Room for what the run sets up. Commands point to it, so it must not move.
+void PassFiller::Memory::make_room(const Run& run, Part& part) {
+    part.commands.reserve(kPartPrimitives);
+    if (run.kind == Run::Kind::Rectangles) part.rectangles.reserve(kPartPrimitives);
+    if (run.kind != Run::Kind::Triangles) return;
+    part.triangles.resize(kPartPrimitives);
+    const SetupNeeds& needs = run.plan->needs;
+    if (!part.textures.empty() || !(needs.texture[0] || needs.texture[1])) return;
+    part.textures.resize(kMaxTextures * kPartPrimitives);
+    for (std::size_t i = 0; i < kPartPrimitives; ++i)
+        part.triangles[i].textures = part.textures.data() + kMaxTextures * i;
 }
 
 // From where the part was left, until it is done or has its fill of entries.
@@ -157,6 +162,7 @@ void PassFiller::Memory::bin(Part& part, const TileGrid& grid) {
     while (part.next_run < part.end_run && part.bin.entry_count() < kPartEntries) {
         const Run& run       = runs[part.next_run];
         const PassFill& pass = passes[run.pass];
+        make_room(run, part);
         const std::uint32_t count =
             run.kind == Run::Kind::Clear ? 1 : std::min(kBlockPrimitives, run.count - part.next_first);
         const std::uint32_t first = run.first + part.next_first;
