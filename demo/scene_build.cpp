@@ -39,12 +39,11 @@ pipeline::Argb solid_color(Vec3 color, Vec3 position, Vec3 normal, float open_sk
                                         sky_share({position, normal, {}, open_sky}, around.terrain)));
 }
 
-TexturedRange append_solid(SceneGeometry& geometry, const Solid& solid, const Surroundings& around,
-                           const cloud::Daylight& light) {
+TexturedRange append_solid(SceneGeometry& geometry, const Solid& solid, const SolidMesh& mesh,
+                           const Surroundings& around, const cloud::Daylight& light) {
     TextureLibrary textures(geometry);
     const int texture      = textures.find(solid.texture);
     const Vec2 tile_m      = TextureLibrary::tile_size(solid.texture, solid.tile_m);
-    const SolidMesh mesh   = solid_mesh(solid);
     const auto first       = static_cast<std::uint32_t>(geometry.vertices.size());
     const auto first_index = static_cast<std::uint32_t>(geometry.indices.size());
     geometry.vertices.resize(first + mesh.vertices.size());
@@ -101,6 +100,10 @@ SceneGeometry build_geometry(const SceneDescription& description, const std::vec
     for (const Solid& solid : description.solids)
         for (const ShadowColumn& column : shadow_columns(solid)) around.columns.push_back(column);
 
+    std::vector<SolidMesh> meshes(description.solids.size());
+    tbb::parallel_for(std::size_t{0}, meshes.size(),
+                      [&](std::size_t i) { meshes[i] = solid_mesh(description.solids[i]); });
+
     SceneGeometry geometry;
     geometry.sky   = append_sky_dome(geometry, description.sky, description.light.to_sun);
     geometry.stars = append_stars(geometry, description.sky, description.light.to_sun);
@@ -115,7 +118,7 @@ SceneGeometry build_geometry(const SceneDescription& description, const std::vec
                 for (const ShadowColumn& column : shadow_columns(description.solids[j]))
                     others.columns.push_back(column);
         (solid.front ? geometry.solids_in_front : geometry.solids_behind)
-            .push_back({append_solid(geometry, solid, others, description.light), solid.velocity});
+            .push_back({append_solid(geometry, solid, meshes[i], others, description.light), solid.velocity});
     }
     for (const SceneMesh& mesh : description.meshes)
         for (const TexturedRange& range : append_mesh(geometry, mesh, around, description.light))

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "demo/terrain_layers.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <glm/common.hpp>
 
@@ -108,9 +111,9 @@ class BlockBuilder {
     std::uint32_t first_vertex_ = 0;
 };
 
-// Height of the mesh at every grid point, which is the field's only where the mesh has a corner.
-std::vector<float> mesh_heights(const std::vector<Triangle>& triangles, const std::vector<TerrainPoint>& points) {
-    std::vector<float> heights(HeightField::kPoints * HeightField::kPoints, 0.0f);
+// Sets the mesh's height at the grid points of some rows, from the first triangle to the last.
+void set_heights(const std::vector<Triangle>& triangles, const std::vector<TerrainPoint>& points, int first_row,
+                 int last_row, std::vector<float>& heights) {
     for (const Triangle& triangle : triangles) {
         const TerrainPoint &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
         // Twice the area that p makes with each side, whole numbers; the corners run counter-clockwise, rows downwards.
@@ -119,8 +122,9 @@ std::vector<float> mesh_heights(const std::vector<Triangle>& triangles, const st
         };
         const auto [west, east]   = std::minmax({a.column, b.column, c.column});
         const auto [north, south] = std::minmax({a.row, b.row, c.row});
-        const auto whole          = static_cast<float>(area(c.column, c.row, a, b));
-        for (int row = north; row <= south; ++row)
+        if (south < first_row || north > last_row) continue;
+        const auto whole = static_cast<float>(area(c.column, c.row, a, b));
+        for (int row = std::max(north, first_row); row <= std::min(south, last_row); ++row)
             for (int column = west; column <= east; ++column) {
                 const int at_a = area(column, row, b, c), at_b = area(column, row, c, a),
                           at_c = area(column, row, a, b);
@@ -131,6 +135,15 @@ std::vector<float> mesh_heights(const std::vector<Triangle>& triangles, const st
                     whole;
             }
     }
+}
+
+// Height of the mesh at every grid point, which is the field's only where the mesh has a corner.
+std::vector<float> mesh_heights(const std::vector<Triangle>& triangles, const std::vector<TerrainPoint>& points) {
+    constexpr int kPoints = HeightField::kPoints, kBands = 4;
+    std::vector<float> heights(kPoints * kPoints, 0.0f);
+    tbb::parallel_for(0, kBands, [&](int band) {
+        set_heights(triangles, points, band * kPoints / kBands, (band + 1) * kPoints / kBands - 1, heights);
+    });
     return heights;
 }
 
@@ -180,9 +193,11 @@ TerrainBlocks append_terrain_blocks(std::vector<pipeline::Vertex>& vertices, con
         terrain.x_lines.push_back(field.x_at(line));
         terrain.z_lines.push_back(field.z_at(line));
     }
-    bound_heights(terrain, mesh_heights(mesh.triangles, points));
     BlockBuilder builder(vertices, points, tiles);
-    for (const auto& block : triangles) terrain.blocks.push_back(builder.build(block));
+    tbb::parallel_invoke([&] { bound_heights(terrain, mesh_heights(mesh.triangles, points)); },
+                         [&] {
+                             for (const auto& block : triangles) terrain.blocks.push_back(builder.build(block));
+                         });
     return terrain;
 }
 

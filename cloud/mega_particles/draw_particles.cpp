@@ -40,6 +40,13 @@ int level_of(const CloudDraw& draw, std::size_t particle) {
     return std::max(chosen - draw.options.fewer_sphere_levels, 0);
 }
 
+// Room for so many more. It doubles, for what comes later would else move the whole list again.
+template <class T>
+void make_room(std::vector<T>& list, std::size_t more) {
+    const std::size_t size = list.size() + more;
+    if (size > list.capacity()) list.reserve(std::max(size, 2 * list.capacity()));
+}
+
 // Appends the spheres, in the given order, as one draw. vertex_of(particle, vertex) makes the vertices.
 template <class VertexOf>
 DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_t>& order, int coarser,
@@ -51,14 +58,14 @@ DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_
         return std::max(level_of(draw, particle) - coarser, 0);
     };
     const auto is_there  = [&](std::size_t particle) { return draw.baked.cloud.particles[particle].alpha > 0.0f; };
-    std::size_t vertices = frame.vertices.size(), indices = frame.indices.size();
+    std::size_t vertices = 0, indices = 0;
     for (std::size_t particle : order)
         if (is_there(particle)) {
             vertices += icosphere_vertices(level_of_its_mesh(particle));
             indices += 3 * icosphere_triangles(level_of_its_mesh(particle));
         }
-    frame.vertices.reserve(vertices);
-    frame.indices.reserve(indices);
+    make_room(frame.vertices, vertices);
+    make_room(frame.indices, indices);
     for (std::size_t particle : order) {
         if (!is_there(particle)) continue;
         const int level            = level_of_its_mesh(particle);
