@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "tests/support/child_process.h"
+#include "tests/support/puff_scene.h"
 
 namespace {
 
@@ -13,23 +14,7 @@ using tests::RunOptions;
 using tests::ScratchDirectory;
 using Words = std::vector<std::string>;
 
-// Small and quick: one cloud of one particle before the sky.
-const std::string kScene = R"(summary = "One puff"
-[output]
-size = [48, 32]
-[camera]
-position = [0, 5, 60]
-target = [0, 5, 0]
-[camera.orbit]
-degrees = 40
-frames = 8
-[[cloud]]
-cores = [[0, 5, 0, 10]]
-blur = 1
-[cloud.fractal]
-size = 16
-octaves = 2
-)";
+const std::string kScene = tests::puff_scene({.more = "[camera.orbit]\ndegrees = 40\nframes = 8\n"});
 
 Ended nimbus7(const ScratchDirectory& directory, const Words& arguments, const RunOptions& options = {}) {
     return tests::run_program(NIMBUS7_PROGRAM, arguments, directory.path(), options);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/support/child_process.h"
+#include "tests/support/puff_scene.h"
 
 namespace {
 
@@ -13,19 +14,7 @@ using tests::Ended;
 using tests::ScratchDirectory;
 using Words = std::vector<std::string>;
 
-const std::string kScene = R"(summary = "One puff"
-[output]
-size = [48, 32]
-[camera]
-position = [0, 5, 60]
-target = [0, 5, 0]
-[[cloud]]
-cores = [[0, 5, 0, 10]]
-blur = 1
-[cloud.fractal]
-size = 16
-octaves = 2
-)";
+const std::string kScene = tests::puff_scene();
 
 Ended tradeoff(const ScratchDirectory& directory, const Words& arguments) {
     Words words{"tradeoff"};

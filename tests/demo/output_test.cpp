@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "tests/support/child_process.h"
+#include "tests/support/puff_scene.h"
 
 namespace {
 
@@ -14,18 +15,7 @@ using tests::Midst;
 using tests::ScratchDirectory;
 using Words = std::vector<std::string>;
 
-const std::string kScene = R"([output]
-size = [48, 32]
-[camera]
-position = [0, 5, 60]
-target = [0, 5, 0]
-[[cloud]]
-cores = [[0, 5, 0, 10]]
-blur = 1
-[cloud.fractal]
-size = 16
-octaves = 2
-)";
+const std::string kScene = tests::puff_scene();
 
 // A command, the files that it makes, and where the first of them is named among its words.
 struct Writer {

@@ -4,6 +4,7 @@
 
 #include "demo/precision.h"
 #include "tests/support/child_process.h"
+#include "tests/support/puff_scene.h"
 
 namespace {
 
@@ -11,19 +12,7 @@ using tests::Ended;
 using tests::ScratchDirectory;
 using Words = std::vector<std::string>;
 
-const std::string kScene = R"(summary = "One puff"
-[output]
-size = [96, 64]
-[camera]
-position = [0, 5, 60]
-target = [0, 5, 0]
-[[cloud]]
-cores = [[0, 5, 0, 14]]
-blur = 1.5
-[cloud.fractal]
-size = 16
-octaves = 2
-)";
+const std::string kScene = tests::puff_scene({.size = "96, 64", .radius = "14", .blur = "1.5"});
 
 Ended nimbus7(const ScratchDirectory& directory, const Words& arguments) {
     return tests::run_program(NIMBUS7_PROGRAM, arguments, directory.path());
