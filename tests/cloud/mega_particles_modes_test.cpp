@@ -12,6 +12,7 @@
 #include "pipeline/execute/execute.h"
 #include "pipeline/validate/validate.h"
 #include "tests/cloud/cumulus.h"
+#include "tests/cloud/walled_scene.h"
 
 using namespace cloud;
 using namespace pipeline;
@@ -30,24 +31,9 @@ struct Stage {
 };
 
 Frame frame_of(const std::vector<BakedCloud>& clouds, const View& view, const Stage& stage = {}) {
-    Frame frame;
-    frame.targets    = {{.name = "back buffer", .width = view.width, .height = view.height},
-                        {.name = "depth", .format = TargetFormat::D24, .width = view.width, .height = view.height}};
-    frame.cameras    = {{.name = "camera", .view = view.view, .projection = view.projection}};
-    frame.output     = {0};
-    Pass& pass       = frame.passes.emplace_back();
-    pass.label       = "scene";
-    pass.color       = {0};
-    pass.depth       = {1};
-    pass.clear       = {.color = Argb{stage.sky}, .depth = 1.0f};
-    pass.state.depth = {.func = CompareFunc::LessEqual, .write = true};
-    DrawRectangle wall;
-    wall.x1    = static_cast<float>(stage.wall_x);
-    wall.y1    = static_cast<float>(view.height);
-    wall.depth = stage.wall_depth;
-    wall.color = {stage.wall};
-    pass.draws = {wall};
-    append_mega_particles(frame, {.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = {}}, view, clouds);
+    const Wall wall{static_cast<float>(stage.wall_x), static_cast<float>(view.height), stage.wall_depth, {stage.wall}};
+    Frame frame = walled_scene(view, {stage.sky}, wall);
+    append_mega_particles(frame, kWalledTargets, view, clouds);
     return frame;
 }
 

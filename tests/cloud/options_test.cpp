@@ -14,6 +14,7 @@
 #include "pipeline/frame/frame_text.h"
 #include "pipeline/validate/validate.h"
 #include "tests/cloud/cumulus.h"
+#include "tests/cloud/walled_scene.h"
 
 using namespace cloud;
 using namespace pipeline;
@@ -24,25 +25,9 @@ const View kFront = look(Vec3(0.0f, 58.0f, 170.0f), Vec3(0.0f, 60.0f, 0.0f), 333
 
 // A sky, and a wall in the left 140 columns that cuts the cloud.
 Frame frame_of(const BakedCloud& cloud, const MegaParticleOptions& options, const View& view = kFront) {
-    Frame frame;
-    frame.targets    = {{.name = "back buffer", .width = view.width, .height = view.height},
-                        {.name = "depth", .format = TargetFormat::D24, .width = view.width, .height = view.height}};
-    frame.cameras    = {{.name = "camera", .view = view.view, .projection = view.projection}};
-    frame.output     = {0};
-    Pass& pass       = frame.passes.emplace_back();
-    pass.label       = "scene";
-    pass.color       = {0};
-    pass.depth       = {1};
-    pass.clear       = {.color = Argb{0xff203070}, .depth = 1.0f};
-    pass.state.depth = {.func = CompareFunc::LessEqual, .write = true};
-    DrawRectangle wall;
-    wall.x1    = 140.0f;
-    wall.y1    = static_cast<float>(view.height);
-    wall.depth = 0.99728f;  // 165 m away
-    wall.color = {0xff602010};
-    pass.draws = {wall};
-    append_mega_particles(frame, {.back_buffer = {0}, .depth = {1}, .camera = {0}, .fog = {}}, view,
-                          std::span(&cloud, 1), options);
+    constexpr float kDepth = 0.99728f;  // 165 m away
+    Frame frame = walled_scene(view, {0xff203070}, {140.0f, static_cast<float>(view.height), kDepth, {0xff602010}});
+    append_mega_particles(frame, kWalledTargets, view, std::span(&cloud, 1), options);
     return frame;
 }
 

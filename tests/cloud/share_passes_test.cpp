@@ -13,6 +13,7 @@
 #include "pipeline/profile/profile.h"
 #include "pipeline/validate/validate.h"
 #include "tests/cloud/cumulus.h"
+#include "tests/cloud/walled_scene.h"
 
 using namespace cloud;
 using namespace pipeline;
@@ -22,27 +23,10 @@ namespace {
 // A sky, a wall of some depth, the clouds; then steps through the depth that is left, each of which adds 4 to what is
 // before it, so that the picture shows all of the depth buffer too.
 Frame frame_of(const std::vector<BakedCloud>& clouds, const View& view, Passes passes, bool shows_depth = true) {
-    Frame frame;
-    frame.targets    = {{.name = "back buffer", .width = view.width, .height = view.height},
-                        {.name = "depth", .format = TargetFormat::D24, .width = view.width, .height = view.height}};
-    frame.cameras    = {{.name = "camera", .view = view.view, .projection = view.projection}};
-    frame.output     = {0};
-    Pass& pass       = frame.passes.emplace_back();
-    pass.label       = "scene";
-    pass.color       = {0};
-    pass.depth       = {1};
-    pass.clear       = {.color = Argb{0xff305090}, .depth = 1.0f};
-    pass.state.depth = {.func = CompareFunc::LessEqual, .write = true};
-    DrawRectangle wall;
-    wall.x1    = static_cast<float>(view.width) * 0.4f;
-    wall.y1    = static_cast<float>(view.height) * 0.8f;
-    wall.depth = 0.9978f;
-    wall.color = {0xffa02000};
-    pass.draws = {wall};
-    const SceneTargets scene{.back_buffer = {0},
-                             .depth       = {1},
-                             .camera      = {0},
-                             .fog         = {.mode = FogMode::Linear, .color = {0xff8090a0}, .end = 900.0f}};
+    const float width = static_cast<float>(view.width), height = static_cast<float>(view.height);
+    Frame frame        = walled_scene(view, {0xff305090}, {0.4f * width, 0.8f * height, 0.9978f, {0xffa02000}});
+    SceneTargets scene = kWalledTargets;
+    scene.fog          = {.mode = FogMode::Linear, .color = {0xff8090a0}, .end = 900.0f};
     append_mega_particles(frame, scene, view, clouds, {.passes = passes});
     if (!shows_depth) return frame;
     Pass steps        = frame.passes.front();
@@ -53,8 +37,8 @@ Frame frame_of(const std::vector<BakedCloud>& clouds, const View& view, Passes p
     steps.draws.clear();
     for (int step = 0; step < 60; ++step) {
         DrawRectangle all;
-        all.x1    = static_cast<float>(view.width);
-        all.y1    = static_cast<float>(view.height);
+        all.x1    = width;
+        all.y1    = height;
         all.depth = 1.0f - 0.0001f * static_cast<float>(step);
         all.color = {0x00000004};
         steps.draws.push_back(all);
