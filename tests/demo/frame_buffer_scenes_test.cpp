@@ -13,6 +13,7 @@
 #include "pipeline/legalize/formats.h"
 #include "pipeline/legalize/frame_buffer.h"
 #include "pipeline/legalize/halving_copy.h"
+#include "tests/support/image_match.h"
 #include "tests/support/one_buffer.h"
 
 namespace {
@@ -53,16 +54,6 @@ int move_halvings(Frame& frame) {
     return moved;
 }
 
-// Of red, green and blue, absolute, in units of 255.
-double mean_difference(const ColorImage& a, const ColorImage& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        for (const int shift : {0, 8, 16})
-            sum +=
-                std::abs(static_cast<int>(a.pixels[i] >> shift & 255) - static_cast<int>(b.pixels[i] >> shift & 255));
-    return sum / (3.0 * static_cast<double>(a.pixels.size()));
-}
-
 }  // namespace
 
 TEST_CASE("the GameCube can draw all scenes as they are", "[frame_buffer]") {
@@ -81,7 +72,7 @@ TEST_CASE("scenes in one frame buffer are the same to the bit, but for what is h
         const Frame got        = shared(frame);
         const auto want        = execute(frame).output;
         const auto with_halves = execute(got).output;
-        CHECK(mean_difference(with_halves, want) < 0.8);
+        CHECK(test_support::mean_difference(with_halves, want) < 0.8);
         CHECK((execute(test_support::with_one_buffer(got, gamecube())).output == with_halves));
 
         Frame without_halves = frame;

@@ -10,6 +10,7 @@
 #include "pipeline/execute/execute.h"
 #include "pipeline/legalize/legalize.h"
 #include "pipeline/validate/validate.h"
+#include "tests/support/image_match.h"
 
 using namespace pipeline;
 
@@ -42,16 +43,6 @@ Frame canyon() {
     return demo::scene_frame(*demo::load_scene("canyon"), {160, 90}, 0);
 }
 
-double mean_difference(const ColorImage& a, const ColorImage& b) {
-    REQUIRE(a.pixels.size() == b.pixels.size());
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        for (const int shift : {0, 8, 16})
-            sum +=
-                std::abs(static_cast<int>(a.pixels[i] >> shift & 255) - static_cast<int>(b.pixels[i] >> shift & 255));
-    return sum / (3.0 * static_cast<double>(a.pixels.size()));
-}
-
 }  // namespace
 
 TEST_CASE("a chip that is made up gets a scene that it can draw, by its table alone", "[legalize]") {
@@ -70,7 +61,9 @@ TEST_CASE("a chip that is made up gets a scene that it can draw, by its table al
     }
     for (const char* rewrite : {"stages", "gs_alpha", "copies"}) CHECK_FALSE(was_rewritten(rewrite));
     // Its sums are cut where the ideal's are rounded.
-    const double mean = mean_difference(execute(ideal).output, execute(legal.frame).output);
+    const ColorImage want = execute(ideal).output, got = execute(legal.frame).output;
+    REQUIRE(got.pixels.size() == want.pixels.size());
+    const double mean = test_support::mean_difference(want, got);
     CHECK(mean > 0.0);
     CHECK(mean < 2.5);
 }

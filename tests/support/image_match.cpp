@@ -41,6 +41,13 @@ ImageMatch match_images(const ColorImage& got, const ColorImage& want) {
     return match;
 }
 
+double mean_difference(const ColorImage& a, const ColorImage& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        for (const int shift : {0, 8, 16}) sum += channel_difference(a.pixels[i], b.pixels[i], shift);
+    return sum / (3.0 * static_cast<double>(a.pixels.size()));
+}
+
 std::string describe(const ImageMatch& match) {
     char text[200] = "";
     if (!match.same_size()) {

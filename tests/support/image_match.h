@@ -24,6 +24,9 @@ struct ImageMatch {
 
 ImageMatch match_images(const pipeline::ColorImage& got, const pipeline::ColorImage& want);
 
+// Of red, green and blue, absolute, in units of 255. The pictures must be of one size.
+double mean_difference(const pipeline::ColorImage& a, const pipeline::ColorImage& b);
+
 // One line for a person; "" if equal.
 std::string describe(const ImageMatch& match);
 
