@@ -77,6 +77,18 @@ struct FillProgram {
     }
     // Is what is written the source as it is?
     constexpr bool is_replace() const { return blend != BlendRule::Shift7 && source == kOne && dest == kZero; }
+    // Does it lay the texels of one texture, or what it makes of them, over the target without a test?
+    constexpr bool is_picture() const {
+        return textures[0].is_read && textures[0].has_texels && !textures[0].has_mips && !textures[0].alpha_quads &&
+               !textures[1].is_read && tests_first() && depth_bits == 0 && dest_alpha_test == DestAlphaTest::Off &&
+               writes == Writes::All;
+    }
+    // Is what is written the first texture's texel as it is?
+    constexpr bool writes_texel() const {
+        return is_replace() && whole_bytes && stage_count == 1 && !add_specular && !fog && textures[0].has_texels &&
+               stages[0].color == stages[0].alpha && stages[0].color.op == CombineOp::Select &&
+               stages[0].color.a == CombineArg{.source = CombineArg::Source::Texel};
+    }
     // Of fragments of such programs, the last one to pass gives a pixel all that it has, whatever came before.
     constexpr bool is_last_word() const {
         return writes == Writes::All && is_replace() && tests_first() && dest_alpha_test == DestAlphaTest::Off &&

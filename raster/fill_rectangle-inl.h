@@ -12,7 +12,9 @@
 
 #include <algorithm>
 
+#include "raster/box-inl.h"
 #include "raster/cover-inl.h"
+#include "raster/fill_aligned-inl.h"
 #include "raster/sampling-inl.h"
 #include "raster/shade-inl.h"
 
@@ -65,15 +67,6 @@ class Columns {
     Way way_;
 };
 
-// (a + b + c + d + 2) >> 2: all four weights alike.
-HWY_INLINE Pixels average(const Quad& quad) {
-    const Pixels a = unpack(quad.t00), b = unpack(quad.t10), c = unpack(quad.t01), d = unpack(quad.t11);
-    const auto quarter = [](VU p, VU q, VU r, VU s) NIMBUS7_LAMBDA {
-        return shift_right16<2>(add16(add16(add16(p, q), add16(r, s)), set_pair(2)));
-    };
-    return {quarter(a.lo, b.lo, c.lo, d.lo), quarter(a.hi, b.hi, c.hi, d.hi)};
-}
-
 // Weights that are quarters: the sum is at most 16 * 255.
 HWY_INLINE Pixels weigh_quarters(const Quad& quad, VI u, VI v) {
     const VU four = set_pair(4), fu = fraction_pair_over<6>(u), fv = fraction_pair_over<6>(v);
@@ -120,35 +113,6 @@ HWY_INLINE Quad load_halved(const std::uint32_t* row0, const std::uint32_t* row1
 }
 #endif
 
-// The same with all four weights alike: (a + b + c + d + 2) >> 2.
-HWY_INLINE Pixels average_halved(const std::uint32_t* row0, const std::uint32_t* row1) {
-#if HWY_TARGET <= HWY_AVX2
-    // Of two texels next to each other blue with blue and red with red, in one word, and green and alpha in another, so
-    // that sums of neighbouring bytes are pairs.
-    alignas(16) static constexpr std::uint8_t kBeside[16] = {0, 4, 2, 6, 8, 12, 10, 14, 1, 5, 3, 7, 9, 13, 11, 15};
-    const hn::Repartition<std::uint8_t, DU> bytes;
-    const hn::Repartition<std::uint64_t, DU> two_words;
-    const auto beside = hn::LoadDup128(bytes, kBeside);
-    const auto sums   = [&](const std::uint32_t* texels) NIMBUS7_LAMBDA {
-        const auto moved = hn::TableLookupBytes(hn::BitCast(bytes, hn::LoadU(DU(), texels)), beside);
-#if HWY_TARGET <= HWY_AVX3
-        return VU{_mm512_maddubs_epi16(moved.raw, _mm512_set1_epi8(1))};
-#else
-        return VU{_mm256_maddubs_epi16(moved.raw, _mm256_set1_epi8(1))};
-#endif
-    };
-    const auto near    = hn::BitCast(two_words, add16(sums(row0), sums(row1)));
-    const auto far     = hn::BitCast(two_words, add16(sums(row0 + lane_count()), sums(row1 + lane_count())));
-    const auto quarter = [](auto sum)
-                             NIMBUS7_LAMBDA { return shift_right16<2>(add16(hn::BitCast(DU(), sum), set_pair(2))); };
-    return {quarter(hn::ConcatEven(two_words, far, near)), quarter(hn::ConcatOdd(two_words, far, near))};
-#elif HWY_TARGET == HWY_SCALAR
-    return average({set(row0[0]), set(row0[1]), set(row1[0]), set(row1[1])});
-#else
-    return average(load_halved(row0, row1));
-#endif
-}
-
 // By contiguous loads, not to be asked of Way::Gather.
 HWY_INLINE Quad load_quad(const std::uint32_t* row0, const std::uint32_t* row1, const Columns& columns) {
     const DU d;
@@ -186,7 +150,8 @@ HWY_INLINE Pixels sample_linear_row(Texture program, const SamplePlan& plan, con
         // Fractions of one half, or of quarters, along both axes.
         const int bits = columns.first_u() | v;
         if ((bits & 255) == 0)
-            return columns.way() == Way::Halved ? average_halved(row0, row1) : average(load_quad(row0, row1, columns));
+            return unpack(columns.way() == Way::Halved ? mean_halved(row0, row1)
+                                                       : mean(load_quad(row0, row1, columns)));
         if ((bits & 63) == 0) {
             const VI half = seti(128);
             return weigh_quarters(load_quad(row0, row1, columns), hn::Sub(columns.u(), half), hn::Sub(seti(v), half));
@@ -299,11 +264,12 @@ HWY_INLINE void fill_rectangle(Program program, const FillPlan& plan, const SetU
     const VU depth      = set(program->depth_bits == 0 ? 0 : to_depth_format(rectangle.depth, program->depth_bits));
     const auto depth_at = [depth]() NIMBUS7_LAMBDA { return depth; };
     const std::ptrdiff_t stride = (target.color ? target.color : target.depth)->stride();
+    const Rect filled           = fill_aligned(program, plan, rectangle, bounds, target);
 
     for (int block = bounds.x0 & -kBlockWidth; block < bounds.x1; block += kBlockWidth)
         for (int lane = 0; lane < kBlockWidth; lane += lane_count()) {
             const unsigned bits = lanes_between(block, bounds.x0, bounds.x1) >> lane & all_lanes();
-            if (bits == 0) continue;
+            if (bits == 0 || (block + lane >= filled.x0 && block + lane < filled.x1)) continue;
             RectangleSource<Program> source(program, plan, rectangle, block, lane);
             const MU covered = mask_of(bits);
             Place place      = first_place(program, target, block, lane, bounds.y0);

@@ -187,7 +187,13 @@ HWY_INLINE VU pack(Pixels p) {
 
 // Alpha in every half.
 HWY_INLINE VU alpha_pair(Pixels p) {
+#if HWY_TARGET == HWY_SCALAR
     return twice(hn::ShiftRight<16>(p.hi));
+#else
+    alignas(16) static constexpr std::uint8_t kFrom[16] = {2, 3, 2, 3, 6, 7, 6, 7, 10, 11, 10, 11, 14, 15, 14, 15};
+    const hn::Repartition<std::uint8_t, DU> bytes;
+    return hn::BitCast(DU(), hn::TableLookupBytes(hn::BitCast(bytes, p.hi), hn::LoadDup128(bytes, kFrom)));
+#endif
 }
 
 // first, first + 1, first + 2, .. : a constant and a sum, for an Iota from a variable goes through memory.
