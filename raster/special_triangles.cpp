@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
 
-#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_SSSE3
+#if HWY_TARGET == HWY_SCALAR
 // Of little use to anyone, and so not worth the time to compile them.
 FillKernel::Triangle get_special_triangle(const FillProgram&) {
     return nullptr;

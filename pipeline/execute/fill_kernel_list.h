@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // By which fill kernels a frame is drawn: those compiled for one state, by the names that raster/special_names.h gives
-// them, and the two for all states. The least instruction sets (SCALAR, SSSE3) have the latter alone.
+// them, and the two for all states. The least instruction set (SCALAR) has the latter alone.
 #pragma once
 
 #include <string_view>

@@ -120,9 +120,9 @@ void add_scenes(Uses& uses, std::set<std::string>& idle) {
             add_idle(std::string(info.name), frame, idle);
             uses.add_rewritten(frame);
         }
-        for (const demo::FrameOptions& way : ways_to_draw())
-            uses.add(demo::scene_frame(*scene, kSize, frames / 2, way));
     }
+    const demo::ScenePtr canyon = demo::load_scene("canyon");
+    for (const demo::FrameOptions& way : ways_to_draw()) uses.add(demo::scene_frame(*canyon, kSize, 0, way));
 }
 
 void add_golden_vectors(Uses& uses) {
