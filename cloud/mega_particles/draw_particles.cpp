@@ -182,8 +182,9 @@ void append_rim_mask(const CloudDraw& draw) {
     mask.state.cull = CullMode::Clockwise;
     mask.state.color_mask = kAlphaAlone;
     mask.state.depth      = {.func = CompareFunc::LessEqual, .write = false};
+    // As fine as the particles, which would come through coarser ones in the folds between them.
     mask.draws.push_back(
-        append_spheres(draw, front_to_back(draw), 1, [&](const Particle& particle, const LitVertex& lit) {
+        append_spheres(draw, front_to_back(draw), 0, [&](const Particle& particle, const LitVertex& lit) {
             return Vertex{.position = lit.position + lit.normal * rim_m(draw, particle),
                           .normal   = lit.normal,
                           .diffuse  = {0xffffffff}};
