@@ -143,7 +143,6 @@ SamplePlan plan_sampler(const Sampler& sampler, bool alpha_quads) {
         plan.levels[i]            = {.texels      = level.texels,
                                      .stride      = static_cast<std::int32_t>(level.stride),
                                      .width       = level.width,
-                                     .height      = level.height,
                                      .last_column = level.width - 1,
                                      .last_row    = level.height - 1};
     }

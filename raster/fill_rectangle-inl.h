@@ -29,9 +29,12 @@ class Columns {
     // How a linear sample gets at its texels.
     enum class Way : std::uint8_t { Gather, Beside, Halved, Window, WideWindow };
 
-    HWY_INLINE Columns(std::int32_t start, std::int32_t step, int width) : start_(start), step_(step) {
-        const std::int64_t last_u = start + std::int64_t{step} * (lane_count() - 1);
-        first_u_                  = start >> 8;
+    HWY_INLINE Columns(const TextureProgram& program, std::int32_t start, std::int32_t step, int width)
+        : start_(start), step_(step) {
+        if (program.address_u == Address::Wrap && !program.has_mips)
+            start_ = into_first_repeat(start, width, program.linear);
+        const std::int64_t last_u = start_ + std::int64_t{step} * (lane_count() - 1);
+        first_u_                  = start_ >> 8;
         last_u_                   = static_cast<std::int32_t>(last_u) >> 8;
         is_in_order_              = step >= 0 && last_u == static_cast<std::int32_t>(last_u);
         way_                      = way(width);
@@ -48,6 +51,12 @@ class Columns {
     }
 
   private:
+    // Less so many widths that the leftmost column that is read is one of the texture's own.
+    static HWY_INLINE std::int32_t into_first_repeat(std::int32_t start, int width, bool linear) {
+        const int column = ((start >> 8) - (linear ? 128 : 0)) >> 8;
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(start) -
+                                         (static_cast<std::uint32_t>(column & -width) << 16));
+    }
     HWY_INLINE Way way(int width) const {
         const int last = (last_u_ - 128) >> 8;
         if (!is_in_order_ || first() < 0 || last + 1 >= width) return Way::Gather;
@@ -136,16 +145,21 @@ HWY_INLINE Quad load_quad(const std::uint32_t* row0, const std::uint32_t* row1, 
     return {hn::LoadU(d, row0), hn::LoadU(d, row0 + 1), hn::LoadU(d, row1), hn::LoadU(d, row1 + 1)};
 }
 
+template <class Texture>
+HWY_INLINE const std::uint32_t* texel_row(Texture program, const SamplePlan::Level& level, int j) {
+    return level.texels + static_cast<std::ptrdiff_t>(address(program->address_v, j, level.last_row)) * level.stride;
+}
+
 // v: of the row, in 1/256 texel.
 template <class Texture>
 HWY_INLINE Pixels sample_linear_row(Texture program, const SamplePlan& plan, const Columns& columns, std::int32_t v) {
     using Way                      = Columns::Way;
     const SamplePlan::Level& level = plan.levels[0];
     const int j                    = (v - 128) >> 8;
-    if (program->alpha_quads || columns.way() == Way::Gather || j < 0 || j + 1 >= level.height)
+    if (program->alpha_quads || columns.way() == Way::Gather)
         return sample(program, plan, columns.u(), seti(v), nullptr);
-    const std::uint32_t* const row0 = level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + columns.first();
-    const std::uint32_t* const row1 = row0 + level.stride;
+    const std::uint32_t* const row0 = texel_row(program, level, j) + columns.first();
+    const std::uint32_t* const row1 = texel_row(program, level, j + 1) + columns.first();
     if (program->rule == FilterRule::Single8 && (columns.way() == Way::Beside || columns.way() == Way::Halved)) {
         // Fractions of one half, or of quarters, along both axes.
         const int bits = columns.first_u() | v;
@@ -171,9 +185,9 @@ HWY_INLINE Pixels sample_linear_row(Texture program, const SamplePlan& plan, con
 template <class Texture>
 HWY_INLINE Pixels sample_point_row(Texture program, const SamplePlan& plan, const Columns& columns, std::int32_t v) {
     const SamplePlan::Level& level = plan.levels[0];
-    const int i = columns.first_u() >> 8, j = v >> 8;
-    if (columns.is_even(256) && i >= 0 && i + lane_count() <= level.width && j >= 0 && j < level.height)
-        return unpack(hn::LoadU(DU(), level.texels + static_cast<std::ptrdiff_t>(j) * level.stride + i));
+    const int i                    = columns.first_u() >> 8;
+    if (columns.is_even(256) && i >= 0 && i + lane_count() <= level.width)
+        return unpack(hn::LoadU(DU(), texel_row(program, level, v >> 8) + i));
     return sample(program, plan, columns.u(), seti(v), nullptr);
 }
 
@@ -200,7 +214,8 @@ struct RectangleTexture {
 
     HWY_INLINE RectangleTexture(const TextureProgram& program, const SamplePlan& plan,
                                 const SetUpRectangle::Texture& texture, int block, int lane)
-        : columns(start(texture, block, lane), read_plane<kRectangleDrop>(texture.u.step), plan.levels[0].width) {
+        : columns(program, start(texture, block, lane), read_plane<kRectangleDrop>(texture.u.step),
+                  plan.levels[0].width) {
         if (program.has_mips) lod = rectangle_lod(texture, plan.lod_max);
     }
 

@@ -15,7 +15,7 @@ struct SamplePlan {
     struct Level {
         const std::uint32_t* texels = nullptr;
         std::int32_t stride         = 0;  // texels
-        std::int32_t width = 0, height = 0;
+        std::int32_t width          = 0;
         std::int32_t last_column = 0, last_row = 0;
     };
     std::array<Level, kMaxLevels> levels;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texels of one level at vectors of coordinates: what the sampling kernels share.
+// From texels to a texture's colour at vectors of coordinates: the filters, and which levels they are applied to.
 // Highway's per-target include guard.
 #if defined(NIMBUS7_RASTER_SAMPLING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NIMBUS7_RASTER_SAMPLING_INL_H_
@@ -14,96 +14,11 @@
 #include "raster/fill_program.h"
 #include "raster/lanes-inl.h"
 #include "raster/sample_plan.h"
+#include "raster/texel_loads-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raster {
 namespace HWY_NAMESPACE {
-
-// last: the level's size less 1.
-HWY_INLINE VI address(Address mode, VI i, std::int32_t last) {
-    switch (mode) {
-        case Address::Wrap:
-            return hn::And(i, seti(last));
-        case Address::Clamp:
-            return hn::Min(hn::Max(i, seti(0)), seti(last));
-        case Address::Mirror: {
-            const VI m = hn::And(i, seti(2 * last + 1));
-            return hn::Min(m, hn::Sub(seti(2 * last + 1), m));
-        }
-    }
-    return i;
-}
-
-// The four neighbours of each lane's position.
-struct Quad {
-    VU t00, t10, t01, t11;
-};
-
-// a * b, both in 0..2^15 - 1.
-HWY_INLINE VI mul_small(VI a, std::int32_t b) {
-#if HWY_TARGET <= HWY_AVX3
-    return VI{_mm512_madd_epi16(a.raw, _mm512_set1_epi32(b))};
-#elif HWY_TARGET == HWY_AVX2
-    return VI{_mm256_madd_epi16(a.raw, _mm256_set1_epi32(b))};
-#else
-    return hn::Mul(a, seti(b));
-#endif
-}
-
-// The texels at texels[index] and the ones after them.
-HWY_INLINE void gather_pairs(const std::uint32_t* texels, VI index, VU& first, VU& second) {
-#if HWY_TARGET <= HWY_AVX3
-    const DU d;
-    const auto* const pairs = reinterpret_cast<const long long*>(texels);
-    const VU low{_mm512_i32gather_epi64(_mm512_castsi512_si256(index.raw), pairs, 4)};
-    const VU high{_mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.raw, 1), pairs, 4)};
-    first  = hn::ConcatEven(d, high, low);
-    second = hn::ConcatOdd(d, high, low);
-#elif HWY_TARGET == HWY_AVX2
-    // One by one they come sooner than from gathers.
-    alignas(32) std::int32_t at[8];
-    hn::Store(index, DI(), at);
-    const auto pair      = [&](int lane) NIMBUS7_LAMBDA { return _mm_loadu_si64(texels + at[lane]); };
-    const auto two_pairs = [&](int lane) NIMBUS7_LAMBDA {
-        return _mm_castsi128_ps(_mm_unpacklo_epi64(pair(lane), pair(lane + 1)));
-    };
-    const __m256 even = _mm256_set_m128(two_pairs(4), two_pairs(0)), odd = _mm256_set_m128(two_pairs(6), two_pairs(2));
-    first  = VU{_mm256_castps_si256(_mm256_shuffle_ps(even, odd, _MM_SHUFFLE(2, 0, 2, 0)))};
-    second = VU{_mm256_castps_si256(_mm256_shuffle_ps(even, odd, _MM_SHUFFLE(3, 1, 3, 1)))};
-#else
-    const DU d;
-    first           = hn::GatherIndex(d, texels, index);
-    second          = hn::GatherIndex(d, texels + 1, index);
-#endif
-}
-
-// Rows are given by their first texels. Two texels next to each other are read as one number of twice the size, which must
-// not reach beyond the last of a row; where they are not, at the border, both are read again.
-HWY_INLINE Quad load_quad(const SamplePlan::Level& level, VI row0, VI row1, VI column0, VI column1) {
-    if (HWY_LIKELY(level.width > 1)) {
-        Quad quad;
-        const VI pair = hn::Min(column0, hn::Sub(seti(level.last_column), seti(1)));
-        gather_pairs(level.texels, hn::Add(row0, pair), quad.t00, quad.t10);
-        gather_pairs(level.texels, hn::Add(row1, pair), quad.t01, quad.t11);
-        if (HWY_LIKELY(hn::AllTrue(DI(), hn::Eq(column1, hn::Add(column0, seti(1)))))) return quad;
-    }
-    const auto texel = [&](VI row, VI column)
-                           NIMBUS7_LAMBDA { return hn::GatherIndex(DU(), level.texels, hn::Add(row, column)); };
-    return {texel(row0, column0), texel(row0, column1), texel(row1, column0), texel(row1, column1)};
-}
-
-// From a level packed as in raster/alpha_quads.h: (i, j) is the first of the four.
-HWY_INLINE VU load_alpha_quad(const SamplePlan::Level& level, VI i, VI j) {
-    const auto place = [](VI index, std::int32_t last)
-                           NIMBUS7_LAMBDA { return hn::Add(hn::Min(hn::Max(index, seti(-1)), seti(last)), seti(1)); };
-    const VI row = mul_small(place(j, level.last_row), level.stride);
-    return hn::GatherIndex(DU(), level.texels, hn::Add(row, place(i, level.last_column)));
-}
-HWY_INLINE Quad unpack_alpha_quad(VU four) {
-    const VU alpha = set(0xff000000);
-    return {hn::ShiftLeft<24>(four), hn::And(hn::ShiftLeft<16>(four), alpha), hn::And(hn::ShiftLeft<8>(four), alpha),
-            hn::And(four, alpha)};
-}
 
 // a * (one - f) + b * f: exact in 16 bits for bytes and one = 256 at most, and wherever else the sum is less than 2^16.
 HWY_INLINE VU mix(VU a, VU b, VU f, VU one_minus_f) {
@@ -267,7 +182,7 @@ HWY_INLINE Pixels sample_level(Texture program, const SamplePlan& plan, int inde
     if constexpr (!Filter::kLinear) {
         const VI i = address(program->address_u, hn::ShiftRight<8>(u), level.last_column);
         const VI j = address(program->address_v, hn::ShiftRight<8>(v), level.last_row);
-        return unpack(hn::GatherIndex(DU(), level.texels, hn::Add(mul_small(j, level.stride), i)));
+        return unpack(load_texels(level.texels, hn::Add(mul_small(j, level.stride), i)));
     } else {
         u          = hn::Sub(u, seti(128));
         v          = hn::Sub(v, seti(128));
@@ -279,11 +194,11 @@ HWY_INLINE Pixels sample_level(Texture program, const SamplePlan& plan, int inde
             else
                 return Filter::weigh_quad(unpack_alpha_quad(four), u, v);
         }
-        const VI i0   = address(program->address_u, i, level.last_column),
-                 i1   = address(program->address_u, hn::Add(i, seti(1)), level.last_column);
-        const VI row0 = mul_small(address(program->address_v, j, level.last_row), level.stride);
-        const VI row1 = mul_small(address(program->address_v, hn::Add(j, seti(1)), level.last_row), level.stride);
-        return Filter::weigh_quad(load_quad(level, row0, row1, i0, i1), u, v);
+        const VI i0 = address(program->address_u, i, level.last_column),
+                 i1 = address(program->address_u, hn::Add(i, seti(1)), level.last_column);
+        const VI j0 = address(program->address_v, j, level.last_row),
+                 j1 = address(program->address_v, hn::Add(j, seti(1)), level.last_row);
+        return Filter::weigh_quad(load_quad(level, i0, i1, j0, j1), u, v);
     }
 }
 

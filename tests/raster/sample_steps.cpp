@@ -33,7 +33,7 @@ HWY_INLINE void sample_rows(Texture program, const SamplePlan& plan, const Sampl
         const int block   = i / kBlockWidth;
         const auto gained = static_cast<std::uint32_t>(i % kBlockWidth) * static_cast<std::uint32_t>(rows.step[block]);
         const auto start  = static_cast<std::int32_t>(static_cast<std::uint32_t>(rows.start[block]) + gained);
-        const Columns columns(start, rows.step[block], plan.levels[0].width);
+        const Columns columns(*program.operator->(), start, rows.step[block], plan.levels[0].width);
         hn::Store(pack(sample_row(program, plan, columns, rows.v[block], 0)), DU(), out.data() + i);
     }
 }
