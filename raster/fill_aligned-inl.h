@@ -94,7 +94,7 @@ HWY_INLINE TexelWindow find_window(Texture program, const SamplePlan::Level& lev
     const auto is_within = [&](std::int64_t first, int count, int limit) {
         return first >= 0 && first + scale * (count - 1) + size <= limit;
     };
-    if (!is_within(i, pixels.x1 - pixels.x0, level.width) || !is_within(j, pixels.y1 - pixels.y0, level.height))
+    if (!is_within(i, pixels.x1 - pixels.x0, level.width) || !is_within(j, pixels.y1 - pixels.y0, level.last_row + 1))
         return {};
     window.texels = level.texels + j * level.stride + i;
     return window;
