@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "raster/bin.h"
@@ -24,26 +25,54 @@ struct Run {
     std::uint32_t first = 0, count = 0;  // of the draw's primitives of that kind
 };
 
-// What one task sets up and bins: some runs, of about kPartPrimitives in all.
-struct Part {
-    std::size_t first_run = 0, end_run = 0;
-    std::vector<SetUpTriangle> triangles;
-    std::vector<TexturePlanes> textures;  // of the triangles
-    std::vector<SetUpRectangle> rectangles;
-    std::vector<Command> commands;
-    Bin bin;
-    // Where to go on once what is binned has been filled.
-    std::size_t next_run     = 0;
-    std::uint32_t next_first = 0;
-    bool is_binned           = false;
-    bool is_finished() const { return next_run == end_run; }
-};
-
 // Large primitives fall into many tiles each. These bound what is held at a time: of a part, and of all before tiles
 // are filled.
 constexpr std::uint32_t kPartPrimitives = 512, kBlockPrimitives = 64;
 constexpr std::size_t kPartEntries = 1 << 16;
 constexpr std::size_t kWaveParts   = 128;
+
+// What has been set up and binned. Grows only, as far as it is needed; commands point to what it holds, which must not
+// move.
+class PartMemory {
+  public:
+    std::vector<SetUpRectangle> rectangles;
+    std::vector<Command> commands;
+    Bin bin;
+
+    void clear() {
+        rectangles.clear();
+        commands.clear();
+        commands.reserve(kPartPrimitives);
+        bin.clear();
+    }
+    // Room for `count` triangles from `first` on.
+    SetUpTriangle* triangles(std::size_t first, std::size_t count, bool textured) {
+        triangles_.reserve(kPartPrimitives);
+        triangles_.resize(std::max(triangles_.size(), first + count));
+        if (textured) {
+            textures_.reserve(kMaxTextures * kPartPrimitives);
+            textures_.resize(std::max(textures_.size(), kMaxTextures * (first + count)));
+            for (std::size_t i = first; i < first + count; ++i)
+                triangles_[i].textures = textures_.data() + kMaxTextures * i;
+        }
+        return triangles_.data() + first;
+    }
+
+  private:
+    std::vector<SetUpTriangle> triangles_;
+    std::vector<TexturePlanes> textures_;  // of those that have any
+};
+
+// What one task sets up and bins: some runs, of about kPartPrimitives in all.
+struct Part {
+    std::size_t first_run = 0, end_run = 0;
+    // Where to go on once what is binned has been filled.
+    std::size_t next_run     = 0;
+    std::uint32_t next_first = 0;
+    bool is_binned           = false;
+    PartMemory* memory       = nullptr;
+    bool is_finished() const { return next_run == end_run; }
+};
 
 // 0, 1, 2, .. or a fixed shuffle of it.
 void set_tile_order(int count, std::uint32_t seed, std::vector<int>& order) {
@@ -83,14 +112,13 @@ struct PassFiller::Memory {
     std::span<const PassFill> passes;
     std::vector<FillPlan> plans;
     std::vector<Run> runs;
-    std::vector<Part> parts;  // grows only, so that what its elements hold is kept
-    std::size_t part_count = 0;
+    std::vector<Part> parts;
+    std::array<PartMemory, kWaveParts> part_memory;  // in turn
     std::vector<int> order;
     std::vector<Thread> threads;
 
     void list_runs();
     void list_parts();
-    static void make_room(const Run& run, Part& part);
     void bin(Part& part, const TileGrid& grid);
     void bin_triangles(const Run& run, Part& part, const TileGrid& grid);
     void bin_rectangles(const Run& run, Part& part, const TileGrid& grid);
@@ -124,76 +152,59 @@ void PassFiller::Memory::list_runs() {
 }
 
 void PassFiller::Memory::list_parts() {
-    part_count = 0;
+    parts.clear();
     for (std::size_t first = 0; first < runs.size();) {
         std::size_t end     = first;
         std::uint32_t count = 0;
         while (end < runs.size() && (end == first || count + runs[end].count <= kPartPrimitives))
             count += runs[end++].count;
-        if (part_count == parts.size()) parts.emplace_back();
-        Part& part     = parts[part_count++];
-        part.first_run = part.next_run = first;
-        part.end_run                   = end;
-        part.next_first                = 0;
-        part.is_binned                 = false;
-        first                          = end;
+        parts.push_back(
+            {.first_run = first, .end_run = end, .next_run = first, .memory = &part_memory[parts.size() % kWaveParts]});
+        first = end;
     }
-}
-
-// Room for what the run sets up. Commands point to it, so it must not move.
-void PassFiller::Memory::make_room(const Run& run, Part& part) {
-    part.commands.reserve(kPartPrimitives);
-    if (run.kind == Run::Kind::Rectangles) part.rectangles.reserve(kPartPrimitives);
-    if (run.kind != Run::Kind::Triangles) return;
-    part.triangles.resize(kPartPrimitives);
-    const SetupNeeds& needs = run.plan->needs;
-    if (!part.textures.empty() || !(needs.texture[0] || needs.texture[1])) return;
-    part.textures.resize(kMaxTextures * kPartPrimitives);
-    for (std::size_t i = 0; i < kPartPrimitives; ++i)
-        part.triangles[i].textures = part.textures.data() + kMaxTextures * i;
 }
 
 // From where the part was left, until it is done or has its fill of entries.
 void PassFiller::Memory::bin(Part& part, const TileGrid& grid) {
-    part.rectangles.clear();
-    part.commands.clear();
-    part.bin.clear();
+    PartMemory& memory = *part.memory;
+    memory.clear();
     std::size_t triangles = 0;
-    while (part.next_run < part.end_run && part.bin.entry_count() < kPartEntries) {
+    while (part.next_run < part.end_run && memory.bin.entry_count() < kPartEntries) {
         const Run& run       = runs[part.next_run];
         const PassFill& pass = passes[run.pass];
-        make_room(run, part);
         const std::uint32_t count =
             run.kind == Run::Kind::Clear ? 1 : std::min(kBlockPrimitives, run.count - part.next_first);
         const std::uint32_t first = run.first + part.next_first;
         switch (run.kind) {
             case Run::Kind::Clear:
                 // A command without a plan: the pass says what to clear.
-                part.commands.push_back({.pass = run.pass});
-                part.bin.add(part.commands.back(), pass.scissor, grid);
+                memory.commands.push_back({.pass = run.pass});
+                memory.bin.add(memory.commands.back(), pass.scissor, grid);
                 break;
             case Run::Kind::Triangles: {
-                SetUpTriangle* const out = part.triangles.data() + triangles;
+                const SetupNeeds& needs  = run.plan->needs;
+                SetUpTriangle* const out = memory.triangles(triangles, count, needs.texture[0] || needs.texture[1]);
                 const TriangleList list{run.draw->vertices, std::span(run.draw->triangles).subspan(first, count),
                                         run.draw->flat};
-                const std::size_t added = set_up_triangles(list, run.plan->needs, pass.grid, pass.scissor, out);
+                const std::size_t added = set_up_triangles(list, needs, pass.grid, pass.scissor, out);
                 for (std::size_t i = 0; i < added; ++i) {
-                    part.commands.push_back({.plan = run.plan, .triangle = out + i, .pass = run.pass});
-                    part.bin.add(part.commands.back(), grid);
+                    memory.commands.push_back({.plan = run.plan, .triangle = out + i, .pass = run.pass});
+                    memory.bin.add(memory.commands.back(), grid);
                 }
                 triangles += added;
                 break;
             }
             case Run::Kind::Rectangles:
+                memory.rectangles.reserve(kPartPrimitives);
                 for (std::uint32_t i = 0; i < count; ++i) {
-                    SetUpRectangle& out = part.rectangles.emplace_back();
+                    SetUpRectangle& out = memory.rectangles.emplace_back();
                     if (!set_up_rectangle(run.draw->rectangles[first + i], run.plan->needs, pass.grid, pass.scissor,
                                           out)) {
-                        part.rectangles.pop_back();
+                        memory.rectangles.pop_back();
                         continue;
                     }
-                    part.commands.push_back({.plan = run.plan, .rectangle = &out, .pass = run.pass});
-                    part.bin.add(part.commands.back(), grid);
+                    memory.commands.push_back({.plan = run.plan, .rectangle = &out, .pass = run.pass});
+                    memory.bin.add(memory.commands.back(), grid);
                 }
                 break;
         }
@@ -203,7 +214,7 @@ void PassFiller::Memory::bin(Part& part, const TileGrid& grid) {
             part.next_first = 0;
         }
     }
-    part.bin.sort();
+    memory.bin.sort();
     part.is_binned = true;
 }
 
@@ -222,7 +233,7 @@ void PassFiller::Memory::fill_tile(std::span<const Part> wave, const Rect& tile,
     };
     bool has_begun = false;
     for (const Part& part : wave)
-        for (const Command& command : part.bin.commands(index)) {
+        for (const Command& command : part.memory->bin.commands(index)) {
             if (!has_begun) prefetch_tile(target, tile);
             has_begun = true;
             if (command.plan) {
@@ -252,7 +263,7 @@ void PassFiller::fill(std::span<const PassFill> passes, std::span<KernelCounts> 
         std::max(memory.threads.size(), static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())));
     for (Memory::Thread& thread : memory.threads) thread.counts.assign(options.counts ? passes.size() : 0, {});
 
-    const std::span parts = std::span(memory.parts).first(memory.part_count);
+    const std::span<Part> parts = memory.parts;
     for (std::size_t first = 0; first < parts.size();) {
         const std::size_t end = std::min(first + kWaveParts, parts.size());
         tbb::parallel_for(first, end, [&](std::size_t i) {
