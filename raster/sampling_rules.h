@@ -62,7 +62,7 @@ struct TextureLevel {
 
 // No levels: every texel is white. At most 14, from 8192 texels down to 1.
 // alpha_quads: none, or the same levels of a texture that has nothing but alpha, as in raster/alpha_quads.h; it is quicker
-// to read where it serves.
+// to read where it serves. Where all that reads the texture is served by it, the levels have no texels.
 struct Sampler {
     std::vector<TextureLevel> levels, alpha_quads;
     bool linear       = false;

@@ -100,7 +100,8 @@ class FrameExecution {
                                                         : static_cast<StoreFunction*>(&raster::stored)),
           has_colors_(!options.counts_only || is_reference() || tests_alpha(frame)),
           arena_(options.threads) {
-        arena_.run([&] { memory.frame.prepare(frame, stored_, has_colors_); });
+        arena_.run(
+            [&] { memory.frame.prepare(frame, stored_, {.colors = has_colors_, .alpha_quads = !is_reference()}); });
     }
 
     // Adds what the passes did to the counts of `out`. index: of the group.

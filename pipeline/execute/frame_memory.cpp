@@ -14,42 +14,60 @@
 namespace pipeline {
 namespace {
 
+void expand(const Texture& texture, std::vector<std::uint32_t>& out) {
+    out.resize(texture.texels.size());
+    if (texture.format == TextureFormat::A8)
+        std::transform(texture.texels.begin(), texture.texels.end(), out.begin(),
+                       [](std::uint8_t a) { return static_cast<std::uint32_t>(a) << 24; });
+    else
+        std::transform(texture.texels.begin(), texture.texels.end(), out.begin(),
+                       [](std::uint8_t l) { return 0xff000000u | l * 0x010101u; });
+}
+
+template <class Use>
+void for_each_level(const Texture& texture, Use&& use) {
+    for (int level = 0; level < texture.levels; ++level)
+        use(std::max(1, texture.width >> level), std::max(1, texture.height >> level));
+}
+
 void pack_quads(const Texture& texture, std::vector<std::uint32_t>& out) {
-    out.clear();
+    std::size_t count = 0;
+    for_each_level(texture, [&](int width, int height) { count += raster::alpha_quad_count(width, height); });
+    out.resize(count);
     const std::uint8_t* texels = texture.texels.data();
-    for (int level = 0; level < texture.levels; ++level) {
-        const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
-        const std::size_t done = out.size();
-        out.resize(done + raster::alpha_quad_count(width, height));
-        raster::pack_alpha_quads(texels, width, height, out.data() + done);
+    std::uint32_t* quads       = out.data();
+    for_each_level(texture, [&](int width, int height) {
+        raster::pack_alpha_quads(texels, width, height, quads);
         texels += static_cast<std::ptrdiff_t>(width) * height;
-    }
+        quads += raster::alpha_quad_count(width, height);
+    });
 }
 
 }  // namespace
 
-// Those of A8 that are read as raster/fill_plan.cpp wants quads for.
-void FrameMemory::set_uses(const Frame& frame, std::vector<TextureUse>& uses) {
-    uses.assign(frame.textures.size(), TextureUse::None);
+// By quads those of A8 that are read as raster/fill_plan.cpp wants them for.
+void FrameMemory::set_uses(const Frame& frame, bool by_quads, std::vector<TextureUse>& uses) {
+    uses.assign(frame.textures.size(), {});
     for (const Pass& pass : frame.passes)
         for_each_texture(pass, [&](std::size_t, std::size_t index, const TextureBinding& binding) {
             if (!binding.texture) return;
             const TextureStage& stage = pass.state.stages[index];
-            const bool by_quads       = frame.textures[binding.texture.index].format == TextureFormat::A8 &&
-                                  stage.filter == TextureFilter::Linear && stage.address_u == TextureAddress::Clamp &&
-                                  stage.address_v == TextureAddress::Clamp;
-            TextureUse& use = uses[binding.texture.index];
-            use             = std::max(use, by_quads ? TextureUse::ReadByQuads : TextureUse::Read);
+            TextureUse& use           = uses[binding.texture.index];
+            const bool is_by_quads    = by_quads && frame.textures[binding.texture.index].format == TextureFormat::A8 &&
+                                     stage.filter == TextureFilter::Linear &&
+                                     stage.address_u == TextureAddress::Clamp &&
+                                     stage.address_v == TextureAddress::Clamp;
+            (is_by_quads ? use.quads : use.texels) = true;
         });
 }
 
-void FrameMemory::TextureMemory::set(const Texture& texture, bool with_quads) {
+void FrameMemory::TextureMemory::set(const Texture& texture, const TextureUse& use) {
     const std::vector<std::uint8_t>& from = texture.texels;
     // A8R8G8B8 is B, G, R, A in memory, a little-endian 0xAARRGGBB, and the vector's own memory is aligned for any
     // type.
     if (texture.format == TextureFormat::A8R8G8B8) {
         const std::uint32_t* const as_they_are = reinterpret_cast<const std::uint32_t*>(from.data());
-        if (!expanded.empty()) *this = {};
+        if (!source.empty()) *this = {};
         texels = as_they_are;
         return;
     }
@@ -58,31 +76,27 @@ void FrameMemory::TextureMemory::set(const Texture& texture, bool with_quads) {
         width  = texture.width;
         height = texture.height;
         source = from;
-        expanded.resize(from.size());
+        expanded.clear();
         quads.clear();
-        if (format == TextureFormat::A8)
-            std::transform(from.begin(), from.end(), expanded.begin(),
-                           [](std::uint8_t a) { return static_cast<std::uint32_t>(a) << 24; });
-        else
-            std::transform(from.begin(), from.end(), expanded.begin(),
-                           [](std::uint8_t l) { return 0xff000000u | l * 0x010101u; });
     }
-    texels = expanded.data();
-    if (!with_quads) quads = std::vector<std::uint32_t>();  // {} would keep the memory
-    if (with_quads && quads.empty()) pack_quads(texture, quads);
+    if (!use.texels) expanded = std::vector<std::uint32_t>();  // {} would keep the memory
+    if (use.texels && expanded.empty()) expand(texture, expanded);
+    if (!use.quads) quads = std::vector<std::uint32_t>();
+    if (use.quads && quads.empty()) pack_quads(texture, quads);
+    texels = use.texels ? expanded.data() : nullptr;
 }
 
-void FrameMemory::prepare(const Frame& frame, StoreFunction* stored, bool has_colors) {
+void FrameMemory::prepare(const Frame& frame, StoreFunction* stored, const FrameReads& reads) {
     frame_                 = &frame;
-    has_colors_            = has_colors;
+    has_colors_            = reads.colors;
     std::vector<bool> used = targets_in_use(frame);
     if (frame.output) used[frame.output.index] = true;
-    if (!has_colors)
+    if (!reads.colors)
         for (std::size_t i = 0; i < used.size(); ++i) used[i] = used[i] && is_depth(frame.targets[i].format);
     // The rasterizer is given one image at least.
     for (const Pass& pass : frame.passes) {
         if (!pass.color) used[pass.depth.index] = true;
-        if (!has_colors && draws(pass) && !(pass.depth && used[pass.depth.index])) used[pass.color.index] = true;
+        if (!reads.colors && draws(pass) && !(pass.depth && used[pass.depth.index])) used[pass.color.index] = true;
     }
     targets_.resize(frame.targets.size());
     tbb::parallel_for(std::size_t{0}, targets_.size(), [&](std::size_t i) {
@@ -101,12 +115,12 @@ void FrameMemory::prepare(const Frame& frame, StoreFunction* stored, bool has_co
         memory.is_started = false;
     });
     textures_.resize(frame.textures.size());
-    set_uses(frame, uses_);
+    set_uses(frame, reads.alpha_quads, uses_);
     tbb::parallel_for(std::size_t{0}, textures_.size(), [&](std::size_t i) {
-        if (uses_[i] == TextureUse::None || !has_colors)
-            textures_[i] = {};
+        if (uses_[i].any() && reads.colors)
+            textures_[i].set(frame.textures[i], uses_[i]);
         else
-            textures_[i].set(frame.textures[i], uses_[i] == TextureUse::ReadByQuads);
+            textures_[i] = {};
     });
 }
 
@@ -152,20 +166,18 @@ raster::Sampler FrameMemory::sampler(const TextureBinding& binding) const {
     } else if (binding.target && !has_colors_) {
         const Target& target = frame_->targets[binding.target.index];
         sampler.levels.push_back({nullptr, target.width, target.height, target.width});
-    } else if (binding.texture && uses_[binding.texture.index] != TextureUse::None) {
+    } else if (binding.texture && uses_[binding.texture.index].any()) {
         const Texture& texture      = frame_->textures[binding.texture.index];
         const TextureMemory& memory = textures_[binding.texture.index];
         sampler.texel_bytes         = bytes_per_texel(texture.format);
         const std::uint32_t *texels = memory.texels, *quads = memory.quads.data();
-        for (int level = 0; level < texture.levels; ++level) {
-            const int width = std::max(1, texture.width >> level), height = std::max(1, texture.height >> level);
+        for_each_level(texture, [&](int width, int height) {
             sampler.levels.push_back({texels, width, height, width});
-            if (!has_colors_) continue;
-            texels += static_cast<std::ptrdiff_t>(width) * height;
-            if (memory.quads.empty()) continue;
+            if (texels) texels += static_cast<std::ptrdiff_t>(width) * height;
+            if (memory.quads.empty()) return;
             sampler.alpha_quads.push_back({quads, width, height, width + 1});
             quads += raster::alpha_quad_count(width, height);
-        }
+        });
     }
     return sampler;
 }

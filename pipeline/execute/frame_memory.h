@@ -16,12 +16,18 @@ namespace pipeline {
 
 using StoreFunction = std::uint32_t(const raster::ColorFormat& format, std::uint32_t argb);
 
+// What drawing reads. Without colours only those targets have memory that hold depth, or serve as the one image that a pass
+// must have; textures have none, and samplers have sizes alone. alpha_quads: may raster/alpha_quads.h be read in place of
+// texels?
+struct FrameReads {
+    bool colors = true, alpha_quads = true;
+};
+
 class FrameMemory {
   public:
     // The frame must outlive its drawing. Uses the threads of the arena it is called in. `stored`: see
-    // raster/color_format.h. Without colours only those targets have memory that hold depth, or serve as the one image that
-    // a pass must have; textures have none, and samplers have sizes alone.
-    void prepare(const Frame& frame, StoreFunction* stored, bool has_colors = true);
+    // raster/color_format.h.
+    void prepare(const Frame& frame, StoreFunction* stored, const FrameReads& reads = {});
 
     // Null if it is not used; what it would hold then is zero().
     raster::Image* image(TargetId id) { return has_memory(id) ? &targets_[id.index].image : nullptr; }
@@ -55,19 +61,22 @@ class FrameMemory {
         std::uint32_t zero = 0;  // what a target holds once zeros have been written
         bool is_started    = false;
     };
-    enum class TextureUse : std::uint8_t { None, Read, ReadByQuads };
+    struct TextureUse {
+        bool texels = false, quads = false;
+        bool any() const { return texels || quads; }
+    };
     struct TextureMemory {
-        const std::uint32_t* texels = nullptr;  // 0xAARRGGBB, whatever the texture's format
+        const std::uint32_t* texels = nullptr;  // 0xAARRGGBB, whatever the texture's format; null if none is used
         TextureFormat format        = TextureFormat::A8R8G8B8;
         // What was expanded, and to what.
         std::int32_t width = 0, height = 0;
         std::vector<std::uint8_t> source;
         std::vector<std::uint32_t> expanded;
         std::vector<std::uint32_t> quads;  // raster/alpha_quads.h, level by level
-        void set(const Texture& texture, bool with_quads);
+        void set(const Texture& texture, const TextureUse& use);
     };
     std::vector<TargetMemory> targets_;
-    static void set_uses(const Frame& frame, std::vector<TextureUse>& uses);
+    static void set_uses(const Frame& frame, bool by_quads, std::vector<TextureUse>& uses);
     std::vector<TextureMemory> textures_;  // only those in use are up to date
     std::vector<TextureUse> uses_;
     const Frame* frame_ = nullptr;
