@@ -64,8 +64,10 @@ DrawTriangles append_spheres(const CloudDraw& draw, const std::vector<std::size_
             vertices += icosphere_vertices(level_of_its_mesh(particle));
             indices += 3 * icosphere_triangles(level_of_its_mesh(particle));
         }
-    make_room(frame.vertices, vertices);
-    make_room(frame.indices, indices);
+    // And for the sides of a box around them.
+    constexpr std::size_t kSides = 6;
+    make_room(frame.vertices, vertices + 4 * kSides);
+    make_room(frame.indices, indices + 6 * kSides);
     for (std::size_t particle : order) {
         if (!is_there(particle)) continue;
         const int level            = level_of_its_mesh(particle);
