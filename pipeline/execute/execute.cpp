@@ -14,6 +14,7 @@
 #include "pipeline/execute/vertex_stage.h"
 #include "pipeline/execute/window.h"
 #include "pipeline/validate/validate.h"
+#include "raster/copy_row.h"
 #include "raster/fill_pass.h"
 #include "raster/reference.h"
 #include "raster/simd_targets.h"
@@ -163,7 +164,8 @@ class FrameExecution {
                 return;
             }
             tbb::parallel_for(0, out.height, [&](int y) {
-                std::copy_n(image->row(y), out.width, out.pixels.begin() + static_cast<std::ptrdiff_t>(y) * out.width);
+                raster::copy_row(image->row(y), out.width,
+                                 out.pixels.data() + static_cast<std::ptrdiff_t>(y) * out.width);
             });
         });
     }
