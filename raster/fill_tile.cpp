@@ -18,7 +18,8 @@ namespace {
         for (int x = tile.x0; x < tile.x1; x += kLinePixels) __builtin_prefetch(image->row(y) + x, 1);
 }
 
-// Triangles were set up long ago and maybe by another thread.
+// Triangles were set up long ago and maybe by another thread. They are asked for kAhead commands before those of their parts
+// to which they point.
 constexpr std::size_t kAhead = 4;
 template <class Part>
 [[gnu::always_inline]] inline void prefetch(const Part& part) {
@@ -35,8 +36,13 @@ template <class Part>
     if (needs.diffuse) prefetch(triangle.diffuse);
     if (needs.fog) prefetch(triangle.specular[3]);
     if (needs.specular) prefetch(triangle.specular);
-    if (needs.texture[0] || needs.texture[1])
-        for (int i = 0; i < kMaxTextures; ++i) prefetch(triangle.textures[i]);
+    if (needs.texture[0] || needs.texture[1]) prefetch(triangle.textures);
+}
+[[gnu::always_inline]] inline void prefetch_textures(const Command& command) {
+    if (!command.triangle) return;
+    const SetupNeeds& needs = command.plan->needs;
+    for (int i = 0; i < kMaxTextures; ++i)
+        if (needs.texture[i]) prefetch(command.triangle->textures[i]);
 }
 
 // Of the commands from `first` on, how many only show where they are the last.
@@ -74,13 +80,15 @@ void fill_tile(std::span<const Command* const> commands, const Rect& tile, const
         // All fragments have to be counted, where they are, even those that a later one hides.
         const std::size_t in_reverse = counts.empty() ? count_last_words(commands, first) : 0;
         if (in_reverse < 2) {
-            if (first + kAhead < commands.size()) prefetch(*commands[first + kAhead]);
+            if (first + 2 * kAhead < commands.size()) prefetch(*commands[first + 2 * kAhead]);
+            if (first + kAhead < commands.size()) prefetch_textures(*commands[first + kAhead]);
             fill(*commands[first++], tile, target, counts, nullptr);
             continue;
         }
         settled.clear();
         for (std::size_t i = first + in_reverse; i-- > first;) {
-            if (i >= first + kAhead) prefetch(*commands[i - kAhead]);
+            if (i >= first + 2 * kAhead) prefetch(*commands[i - 2 * kAhead]);
+            if (i >= first + kAhead) prefetch_textures(*commands[i - kAhead]);
             fill(*commands[i], tile, target, counts, &settled);
         }
         first += in_reverse;
