@@ -38,7 +38,7 @@ bool is_finite(const T& value) {
         return std::isfinite(value);
     } else {
         bool finite = true;
-        for (glm::length_t i = 0; i < value.length(); ++i) finite = finite && is_finite(value[i]);
+        for (glm::length_t i = 0; i < value.length(); ++i) finite &= is_finite(value[i]);
         return finite;
     }
 }
