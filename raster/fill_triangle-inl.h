@@ -290,8 +290,9 @@ class TriangleFill {
         textures_[kStage].locate(texture_of<kStage>(program_), plan_.samplers[kStage].lod_max,
                                  triangle_.textures[kStage], lanes, r, points_[kStage], to);
         // Mostly a target, which is large; of it a column of blocks reads a line here and a line there.
-        const TexturePoints& points = points_[kStage];
-        if (!program_->textures[kStage].has_mips)
+        const TextureProgram& texture = program_->textures[kStage];
+        const TexturePoints& points   = points_[kStage];
+        if (!texture.linear && !texture.has_mips)
             prefetch_texel(texture_of<kStage>(program_), plan_.samplers[kStage], points.u[to], points.v[to]);
     }
 
