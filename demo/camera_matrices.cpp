@@ -10,8 +10,12 @@ namespace demo {
 
 Mat4 look_at(const Vec3& eye, const Vec3& target) {
     const glm::dvec3 e(eye);
-    const glm::dvec3 back  = glm::normalize(e - glm::dvec3(target));
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), back));
+    // Differences of floats: what is not 0 has a length.
+    const auto unit = [](const glm::dvec3& v, const glm::dvec3& if_zero) {
+        return v == glm::dvec3(0.0) ? if_zero : glm::normalize(v);
+    };
+    const glm::dvec3 back  = unit(e - glm::dvec3(target), {0.0, 0.0, 1.0});
+    const glm::dvec3 right = unit(glm::cross(glm::dvec3(0.0, 1.0, 0.0), back), {1.0, 0.0, 0.0});
     const glm::dvec3 up    = glm::cross(back, right);
     glm::dmat4 view(1.0);
     for (int axis = 0; axis < 3; ++axis) {

@@ -8,7 +8,7 @@
 
 namespace demo {
 
-// From `eye` towards `target`, which must differ and not lie straight above or below.
+// From `eye` towards `target`. Straight up or down the picture's right is +x; where both are one point it looks along -z.
 Mat4 look_at(const Vec3& eye, const Vec3& target);
 
 // aspect: width over height.

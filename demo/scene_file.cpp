@@ -23,15 +23,18 @@ void read_output(TableReader reader, SceneDescription& scene) {
 }
 
 void read_camera_path(TableReader& reader, CameraPath& camera) {
-    const auto rows = reader.read_rows("path", 7, kMaxKeys);
-    double last_s   = -1.0;
+    const auto rows             = reader.read_rows("path", 7, kMaxKeys);
+    // Slopes at times that are closer are more than a float can be.
+    constexpr double kLeastStep = 0.001;
+    double last_s               = -1.0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto& row     = rows[i];
         const auto point_at = [&](std::size_t first) {
             return Vec3(static_cast<float>(row[first]), static_cast<float>(row[first + 1]),
                         static_cast<float>(row[first + 2]));
         };
-        if (row[0] <= last_s) reader.fail_at_row("path", i, "must have rising times, from 0 seconds on");
+        if (row[0] < 0.0 || row[0] < last_s + kLeastStep)
+            reader.fail_at_row("path", i, "must have rising times, from 0 seconds on, at least 0.001 apart");
         last_s = row[0];
         camera.position_path.add(row[0], point_at(1));
         camera.target_path.add(row[0], point_at(4));
@@ -139,14 +142,16 @@ Solid read_solid(TableReader reader) {
     for (const char* end : {"from", "to"})
         if (!reader.read(end, end[0] == 'f' ? solid.from : solid.to, kCoordinate))
             reader.fail(end, "is missing: [x, y, z]");
-    const Vec3 span = glm::abs(solid.to - solid.from);
+    constexpr float kLeastSpan = 0.001f;  // normals and noise divide by it
+    const Vec3 span            = glm::abs(solid.to - solid.from);
     if (solid.kind == Kind::Cylinder) {
-        if (!(std::max({span.x, span.y, span.z}) > 0.0f)) reader.fail("to", "must differ from solid.from");
+        if (std::max({span.x, span.y, span.z}) < kLeastSpan)
+            reader.fail("to", "must lie 0.001 or more from solid.from in x, y or z");
         if (!reader.read("radius", solid.radius, kLength)) reader.fail("radius", "is missing");
         solid.top_radius = solid.radius;
         reader.read("top_radius", solid.top_radius, {0.0, 1e5});
-    } else if (!(std::min({span.x, span.y, span.z}) > 0.0f)) {
-        reader.fail("to", "must differ from solid.from in x, y and z");
+    } else if (std::min({span.x, span.y, span.z}) < kLeastSpan) {
+        reader.fail("to", "must lie 0.001 or more from solid.from in x, y and z");
     }
     if (solid.kind == Kind::Spire) reader.read("seed", solid.seed);
     reader.read("front", solid.front);
