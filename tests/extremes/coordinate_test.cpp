@@ -14,6 +14,7 @@ TEST_CASE("extremes: a texture is read where double says, up to 2^22 texels", "[
         const PositionError error = position_error(exponent, depths, address);
         CHECK(error.pixels == 2 * 256 * 16);
         CHECK(error.texels < position_bound(exponent, depths));
+        CHECK(error.ahead < ahead_bound(exponent, depths));
         CHECK(error.wrong_texels == 0);
     }
 }

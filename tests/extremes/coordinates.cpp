@@ -87,13 +87,15 @@ PositionError position_error(int exponent, Depths depths, raster::Address addres
                     }
                     const raster::reference::TexturePoint point = texture.at(x, y);
                     const double u = s / q * kTexels, v = t / q * kTexels;
-                    const double off = std::max(std::abs(point.u / 256.0 - u), std::abs(point.v / 256.0 - v));
-                    error.texels     = std::max(error.texels, off);
+                    for (const double off : {point.u / 256.0 - u, point.v / 256.0 - v}) {
+                        error.texels = std::max(error.texels, std::abs(off));
+                        error.ahead  = std::max(error.ahead, off);
+                    }
                     ++error.pixels;
                     const std::uint32_t argb = color.row(y)[x];
                     const double bound       = position_bound(exponent, depths);
                     const auto is_allowed    = [&](std::uint32_t texel, double position) {
-                        const auto last = static_cast<std::int64_t>(std::floor(position + bound));
+                        const auto last = static_cast<std::int64_t>(std::floor(position + bound - 1.0 / 256.0));
                         for (auto i = static_cast<std::int64_t>(std::floor(position - bound)); i <= last; ++i)
                             if (texel_at(i, address) == static_cast<int>(texel)) return true;
                         return false;

@@ -187,6 +187,29 @@ Hits fan_hits(Cut cut, const Arithmetic& grid, std::uint32_t fans_per_phase) {
     return hits;
 }
 
+Hits rectangle_hits(const Arithmetic& grid) {
+    constexpr int kSide = 8;
+    Hits hits;
+    for (int phase = 0; phase < 16; ++phase) {
+        Frame frame     = counting_frame(kSide, kSide, grid);
+        const auto ends = [](float first) { return std::array{-1.0f, first, first + 0.0625f, kSide + 1.0f}; };
+        const auto x    = ends(3.0f + static_cast<float>(phase) / 16.0f),
+                   y    = ends(5.0f - static_cast<float>(phase) / 16.0f);
+        for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t column = 0; column < 3; ++column) {
+                DrawRectangle part;
+                part.x0 = x[column], part.x1 = x[column + 1];
+                part.y0 = y[row], part.y1 = y[row + 1];
+                frame.passes[0].draws.emplace_back(part);
+            }
+        for (const std::uint32_t pixel : execute(frame).output.pixels) {
+            ++hits.pixels;
+            hits.wrong += (pixel >> 16 & 255) != 1;
+        }
+    }
+    return hits;
+}
+
 Hits million_hits() {
     constexpr std::uint32_t kTriangles = 1000000;
     Frame frame                        = counting_frame(128, 128, {});

@@ -39,6 +39,9 @@ pipeline::Frame random_fan(Cut cut, const pipeline::Arithmetic& grid, int phase_
 // All 16x16 phases.
 Hits fan_hits(Cut cut, const pipeline::Arithmetic& grid, std::uint32_t fans_per_phase);
 
+// Nine rectangles, the middle ones a subpixel wide and high, side by side over all of a target, at all 16 phases.
+Hits rectangle_hits(const pipeline::Arithmetic& grid);
+
 // A million triangles around one corner, as far as window vertices go.
 Hits million_hits();
 

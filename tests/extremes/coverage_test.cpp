@@ -16,6 +16,14 @@ TEST_CASE("extremes: fans hit each pixel once, at all subpixel phases, also wher
     }
 }
 
+TEST_CASE("extremes: rectangles side by side hit each pixel once, at all subpixel phases", "[extremes]") {
+    for (const pipeline::Arithmetic& grid : grids()) {
+        const Hits hits = rectangle_hits(grid);
+        CHECK(hits.pixels == 16 * 8 * 8);
+        CHECK(hits.wrong == 0);
+    }
+}
+
 TEST_CASE("extremes: cut fans are drawn alike by kernels and reference", "[extremes]") {
     for (const Cut cut : {Cut::Nothing, Cut::GuardBand, Cut::NearPlane})
         for (const pipeline::Arithmetic& grid : grids()) test_support::pixels_on_both(random_fan(cut, grid, 3, 14, 99));

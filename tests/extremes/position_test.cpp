@@ -10,6 +10,17 @@ TEST_CASE("extremes: of wild positions valid window vertices are made", "[extrem
     CHECK(wild.invalid == 0);
 }
 
+TEST_CASE("extremes: a corner next to the eye is cut off", "[extremes]") {
+    const WildVertices found = corners_next_to_eye();
+    CHECK(found.triangles >= 3);
+    CHECK(found.invalid == 0);
+    CHECK(found.greatest_rhw == 0x1p32);
+}
+
+TEST_CASE("extremes: a triangle with a corner beyond floats is dropped", "[extremes]") {
+    CHECK(corners_at_infinity().triangles == 0);
+}
+
 TEST_CASE("extremes: wild positions are drawn alike by kernels and reference", "[extremes]") {
     for (std::uint32_t seed = 0; seed < 6; ++seed) test_support::pixels_on_both(wild_frame(seed, 300));
 }

@@ -2,6 +2,7 @@
 #include "tests/extremes/positions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
@@ -67,6 +68,45 @@ class WildNumbers {
     float last_ = 1.0f;
 };
 
+void add_window_vertices(const Frame& frame, WildVertices& found) {
+    const Pass& pass = frame.passes[0];
+    const WindowMesh mesh =
+        to_window_triangles(frame, pass, std::get<DrawTriangles>(pass.draws[0]), {0, 0, kTarget, kTarget}, 4096.0f);
+    found.triangles += mesh.indices.size() / 3;
+    found.vertices += mesh.vertices.size();
+    // One at a time, as validate stops at the first.
+    Frame window = test_support::one_pass_frame(kTarget, kTarget);
+    window.window_vertices.resize(1);
+    for (const WindowVertex& vertex : mesh.vertices) {
+        window.window_vertices[0] = vertex;
+        found.invalid += !validate(window).empty();
+        found.greatest_rhw = std::max(found.greatest_rhw, double{vertex.rhw});
+    }
+}
+
+// No other plane then cuts off what is near the eye.
+void without_depth(Frame& frame) {
+    frame.cameras[0].projection[2][2] = frame.cameras[0].projection[3][2] = 0.0f;
+}
+
+// A triangle in view, one of whose corners is at `corner`: the first, the second, the third.
+template <class Change>
+WildVertices with_corner(const Vec3& corner, Change&& change) {
+    WildVertices found;
+    for (std::size_t which = 0; which < 3; ++which) {
+        Frame frame = test_support::one_pass_frame(kTarget, kTarget, TargetFormat::D24);
+        set_projection(frame, 1e-3, 1e4);
+        change(frame);
+        frame.vertices.resize(3);
+        const std::array<Vec3, 3> in_view{Vec3(0.1f, 0.0f, -1.0f), Vec3(0.0f, 0.1f, -1.0f), Vec3(-0.1f, -0.1f, -1.0f)};
+        for (std::size_t i = 0; i < 3; ++i) frame.vertices[i].position = i == which ? corner : in_view[i];
+        frame.indices         = {0, 1, 2};
+        frame.passes[0].draws = {DrawTriangles{.index_count = 3, .textures = {}}};
+        add_window_vertices(frame, found);
+    }
+    return found;
+}
+
 }  // namespace
 
 Frame wild_frame(std::uint32_t seed, std::uint32_t triangles) {
@@ -92,22 +132,16 @@ Frame wild_frame(std::uint32_t seed, std::uint32_t triangles) {
 
 WildVertices wild_vertices(std::uint32_t frames) {
     WildVertices found;
-    for (std::uint32_t seed = 0; seed < frames; ++seed) {
-        Frame frame      = wild_frame(seed, 1000);
-        const Pass& pass = frame.passes[0];
-        const WindowMesh mesh =
-            to_window_triangles(frame, pass, std::get<DrawTriangles>(pass.draws[0]), {0, 0, kTarget, kTarget}, 4096.0f);
-        found.triangles += mesh.indices.size() / 3;
-        found.vertices += mesh.vertices.size();
-        // One at a time, as validate stops at the first.
-        Frame window = test_support::one_pass_frame(kTarget, kTarget);
-        window.window_vertices.resize(1);
-        for (const WindowVertex& vertex : mesh.vertices) {
-            window.window_vertices[0] = vertex;
-            found.invalid += !validate(window).empty();
-        }
-    }
+    for (std::uint32_t seed = 0; seed < frames; ++seed) add_window_vertices(wild_frame(seed, 1000), found);
     return found;
+}
+
+WildVertices corners_next_to_eye() {
+    return with_corner(Vec3(0.0f, 0.0f, -0x1p-35f), without_depth);
+}
+
+WildVertices corners_at_infinity() {
+    return with_corner(Vec3(0x1p101f, 0.0f, -1.0f), [](Frame& frame) { frame.cameras[0].view[0][0] = 0x1p100f; });
 }
 
 FarDepth far_depth() {

@@ -17,8 +17,13 @@ pipeline::Frame wild_frame(std::uint32_t seed, std::uint32_t triangles);
 // What to_window_triangles makes of wild frames: vertices, and those that are not as window vertices have to be.
 struct WildVertices {
     std::uint64_t triangles = 0, vertices = 0, invalid = 0;
+    double greatest_rhw = 0.0;
 };
 WildVertices wild_vertices(std::uint32_t frames);
+
+// Of triangles in view but for one corner, each in turn, which is before the eye at a w of 2^-35, or beyond what floats hold.
+WildVertices corners_next_to_eye();
+WildVertices corners_at_infinity();
 inline constexpr std::uint32_t kWildFrames = 100, kEyeTriangles = 100000;
 
 // Depth with near : far = 1 : 10^7, of vertices from near to far, 1/1000 apart, against double: greatest error in 2^-24, and
