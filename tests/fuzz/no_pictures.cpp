@@ -9,5 +9,8 @@ namespace demo {
 pipeline::ColorImage read_image(const std::string& path) {
     throw std::runtime_error(path + ": is not read here");
 }
+HeightMap read_height_map(const std::string& path) {
+    throw std::runtime_error(path + ": is not read here");
+}
 
 }  // namespace demo
