@@ -15,14 +15,14 @@ using namespace pipeline;
 namespace {
 
 // The sanitizer makes all of it some ten times slower.
-constexpr std::uint64_t kMostPixels = 1 << 22, kMostTriangles = 1 << 15, kMostBytes = 1 << 26;
+constexpr std::uint64_t kMostPixels = 1 << 20, kMostTriangles = 1 << 14, kMostBytes = 1 << 24;
 
 std::optional<Frame> read(std::string_view text) {
     try {
         if (text.starts_with("nimbus7 frame ")) return parse_frame(text);
         const demo::SceneDescription scene = demo::parse_scene(text, "a/b.toml", "b");
         const int index                    = static_cast<int>(text.size()) % scene.frames;
-        return scene_frame(demo::build_scene(fuzz::soon_built(scene)), {320, 180}, index);
+        return scene_frame(demo::build_scene(fuzz::soon_built(scene)), {192, 108}, index);
     } catch (const ParseError&) {
         return {};
     } catch (const demo::SceneError&) {
