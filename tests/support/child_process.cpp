@@ -60,7 +60,8 @@ void interrupt_in_midst(pid_t child, Midst midst) {
             const bool writes = is_made && call.entry.nr == SYS_write;
             is_made           = is_made || makes;
             if (midst == Midst::Made ? makes : writes) {
-                kill(child, SIGINT);
+                // To that thread: another would take a signal to the process, and end it too late.
+                syscall(SYS_tgkill, child, child, SIGINT);
                 ptrace(PTRACE_DETACH, child, nullptr, nullptr);
                 return;
             }
