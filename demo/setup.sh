@@ -90,7 +90,7 @@ build() {
     local log=$build_directory/build.log targets=()
     (($# > 0)) && targets=(--target "$@")
     mkdir -p "$build_directory"
-    [[ -x $build_directory/bin/nimbus7 ]] || say "Building in $build_directory (takes a minute or two)"
+    [[ -x $build_directory/bin/nimbus7 ]] || say "Building in $build_directory (the first time takes minutes)"
     {
         # Without a cache the generator may be chosen; without a build file an earlier attempt has failed.
         if [[ ! -f $build_directory/build.ninja && ! -f $build_directory/Makefile ]]; then
