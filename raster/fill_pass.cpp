@@ -120,8 +120,6 @@ struct PassFiller::Memory {
     void list_runs();
     void list_parts();
     void bin(Part& part, const TileGrid& grid);
-    void bin_triangles(const Run& run, Part& part, const TileGrid& grid);
-    void bin_rectangles(const Run& run, Part& part, const TileGrid& grid);
     void fill_tile(std::span<const Part> wave, const Rect& tile, int index, const FillTarget& target, Thread& thread);
     void clear(const PassFill& pass, const Rect& tile);
 };
