@@ -5,6 +5,7 @@
 
 #include "cloud/mega_particles/mega_particles.h"
 #include "pipeline/frame/frame.h"
+#include "tests/cloud/coverage.h"
 
 // width, height: pixels. depth: in the depth buffer.
 struct Wall {
@@ -14,17 +15,10 @@ struct Wall {
 
 inline pipeline::Frame walled_scene(const cloud::View& view, pipeline::Argb sky, const Wall& wall) {
     using namespace pipeline;
-    Frame frame;
-    frame.targets    = {{.name = "back buffer", .width = view.width, .height = view.height},
-                        {.name = "depth", .format = TargetFormat::D24, .width = view.width, .height = view.height}};
-    frame.cameras    = {{.name = "camera", .view = view.view, .projection = view.projection}};
-    frame.output     = {0};
-    Pass& pass       = frame.passes.emplace_back();
-    pass.label       = "scene";
-    pass.color       = {0};
-    pass.depth       = {1};
-    pass.clear       = {.color = sky, .depth = 1.0f};
-    pass.state.depth = {.func = CompareFunc::LessEqual, .write = true};
+    const AppendClouds none = [](Frame&, const cloud::SceneTargets&, const cloud::View&) {};
+    Frame frame             = plain_scene(none, view, sky);
+    Pass& pass              = frame.passes.front();
+    pass.state.depth        = {.func = CompareFunc::LessEqual, .write = true};
     DrawRectangle rectangle;
     rectangle.x1    = wall.width;
     rectangle.y1    = wall.height;
